@@ -1,0 +1,16 @@
+#pragma once
+
+#include <complex>
+
+namespace specula {
+
+using Complex = std::complex<double>;
+
+/// What a homogeneous medium is at one frequency. Time convention exp(+jwt): a lossy medium has
+/// Im(permittivity) <= 0. Both relative, dimensionless.
+struct Electrics {
+    Complex permittivity{1.0, 0.0};
+    double permeability = 1.0;
+};
+
+}  // namespace specula

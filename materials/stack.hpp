@@ -1,0 +1,43 @@
+#pragma once
+
+#include <variant>
+#include <vector>
+
+#include "materials/interface.hpp"
+
+namespace specula {
+
+/// A layer at one frequency, and the face towards the radar.
+struct Layer {
+    Electrics medium;
+    double thickness_m = 0.0;  ///< > 0
+    double roughness_m = 0.0;  ///< rms height of the upper face, >= 0
+};
+
+/// What ends a stack below: nothing but air, a half-space, or a perfect conductor.
+struct PerfectConductor {};
+struct HalfSpace {
+    Electrics medium;
+    double roughness_m = 0.0;
+};
+using Backing = std::variant<HalfSpace, PerfectConductor>;
+
+/// Layers at one frequency, the one facing the radar first.
+struct Stack {
+    std::vector<Layer> layers;
+    Backing backing = HalfSpace{};
+    double frequency_hz = 0.0;
+};
+
+/// Coherent field reflection of a stack in air, referred to its uppermost face.
+///
+/// All internal round trips in closed form, from the backing upwards. Roughness lowers the coherent
+/// coefficients of each face by Gaussian phase averaging: reflection by exp(-2 (k q s)^2) seen from
+/// either side, transmission by exp(-(k s (q1 - q2))^2 / 2) per pass.
+/// @in   cos_incidence in (0, 1], in air
+/// @out  |te|, |tm| <= 1
+/// @eq   PHYSICS.md#stack; Parratt 1954 recursion; PHYSICS.md#coherent-roughness; Ament 1953
+/// Limit: faces parallel and wide; the diffuse part of rough faces is not in here.
+Reflection stack_reflection(const Stack& stack, double cos_incidence);
+
+}  // namespace specula

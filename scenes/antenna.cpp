@@ -1,0 +1,57 @@
+#include "scenes/antenna.hpp"
+
+#include <cmath>
+
+#include "sim/core/constants.hpp"
+
+namespace specula {
+
+namespace {
+
+double linear(double db) {
+    return std::pow(10.0, 0.1 * db);
+}
+
+/// The exponent n for which cos^n falls by 6 dB at the given angle.
+double exponent_for(double half_width_rad) {
+    return std::log(linear(-6.0)) / std::log(std::cos(half_width_rad));
+}
+
+}  // namespace
+
+double IsotropicPattern::gain(const Vector3& /*direction*/) const {
+    return linear(gain_dbi);
+}
+
+IsotropicPattern IsotropicPattern::read(Section& section) {
+    return {.gain_dbi = section.quantity("gain", Unit::gain_dbi, Range::between(-30.0, 30.0))};
+}
+
+double PatchPattern::gain(const Vector3& direction) const {
+    const double forward = -direction.z();
+    if (!(forward > 0.0)) return 0.0;
+    const double across = std::hypot(direction.x(), forward);  // cos(elevation)
+    return linear(gain_dbi) * std::pow(forward / across, exponent_for(half_width_azimuth_rad)) *
+           std::pow(across, exponent_for(half_width_elevation_rad));
+}
+
+PatchPattern PatchPattern::read(Section& section) {
+    const Range angle = Range::inside(0.0, pi / 2.0);
+    return {
+        .gain_dbi = section.quantity("gain", Unit::gain_dbi, Range::between(-30.0, 30.0)),
+        .half_width_azimuth_rad = section.quantity("half_width_azimuth", Unit::angle, angle),
+        .half_width_elevation_rad = section.quantity("half_width_elevation", Unit::angle, angle)};
+}
+
+double gain_towards(const Pattern& pattern, const Vector3& direction) {
+    return std::visit([&](const auto& p) { return p.gain(direction); }, pattern);
+}
+
+Vector3 field_pattern(const Pattern& pattern, const Vector3& direction) {
+    const Vector3 transverse = Vector3::UnitY() - direction.y() * direction;
+    const double length = transverse.norm();
+    if (length == 0.0) return Vector3::Zero();
+    return transverse * (std::sqrt(gain_towards(pattern, direction)) / length);
+}
+
+}  // namespace specula

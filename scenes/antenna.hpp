@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string_view>
+#include <variant>
+
+#include "scenes/vector3.hpp"
+#include "sim/core/document.hpp"
+
+namespace specula {
+
+/// The same gain everywhere: for comparison with closed forms.
+struct IsotropicPattern {
+    static constexpr std::string_view kind = "isotropic";
+    double gain_dbi = 0.0;
+
+    double gain(const Vector3& direction) const;
+    static IsotropicPattern read(Section& section);
+};
+
+/// A patch: G0 cos^a(azimuth) cos^e(elevation) in front, nothing behind. Azimuth is
+/// atan2(d.x, d.boresight), elevation asin(d.y); the exponents follow from the half widths at -6
+/// dB.
+struct PatchPattern {
+    static constexpr std::string_view kind = "patch";
+    double gain_dbi = 5.5;
+    double half_width_azimuth_rad = 1.0471975511965976;
+    double half_width_elevation_rad = 0.6108652381980153;
+
+    double gain(const Vector3& direction) const;
+    static PatchPattern read(Section& section);
+};
+
+using Pattern = std::variant<IsotropicPattern, PatchPattern>;
+
+/// Linear gain towards a unit direction in the radar's own frame (boresight -z).
+double gain_towards(const Pattern& pattern, const Vector3& direction);
+
+/// Effective polarisation of an antenna polarised along +y of the radar's frame: the transverse
+/// part of y, normalised, times sqrt(gain). Its squared length is the gain.
+/// @in  direction  unit, leaving the antenna, radar frame
+Vector3 field_pattern(const Pattern& pattern, const Vector3& direction);
+
+}  // namespace specula

@@ -1,0 +1,66 @@
+#include "scenes/catalogue.hpp"
+
+#include <algorithm>
+
+#include "sim/core/error.hpp"
+
+namespace specula {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::vector<std::string> stems(const fs::path& folder) {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder))
+        if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+}  // namespace
+
+Catalogue Catalogue::open(const fs::path& root) {
+    for (const char* part : {"materials/library", "scenes/radars", "scenes/experiments"})
+        if (!fs::is_directory(root / part))
+            throw InputError((root / part).string() +
+                             ": no such folder; set SPECULA_HOME to the folder that holds it");
+    return {root, Library(root / "materials/library")};
+}
+
+std::vector<std::string> Catalogue::radar_names() const {
+    return stems(root / "scenes/radars");
+}
+
+std::vector<std::string> Catalogue::experiment_names() const {
+    return stems(root / "scenes/experiments");
+}
+
+fs::path Catalogue::experiment_file(const std::string& name) const {
+    return root / "scenes/experiments" / (name + ".toml");
+}
+
+Radar Catalogue::radar(Section& section, const std::string& key) const {
+    const std::string name = section.text(key);
+    if (fs::path(name).extension() == ".toml") {
+        const fs::path file = fs::path(section.file()).parent_path() / name;
+        if (!fs::exists(file))
+            section.fail(key, "no such file beside this one", "give a path relative to this file");
+        return read_radar(file);
+    }
+    const auto known = radar_names();
+    section.choice(key, known);
+    return read_radar(root / "scenes/radars" / (name + ".toml"));
+}
+
+std::string Catalogue::material_name(Section& section, const std::string& key) const {
+    return section.choice(key, materials.names());
+}
+
+std::string Catalogue::backing_name(Section& section, const std::string& key) const {
+    std::vector<std::string> options{"air", "metal"};
+    for (const auto& name : materials.names()) options.push_back(name);
+    return section.choice(key, options, "air");
+}
+
+}  // namespace specula

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "materials/library.hpp"
+#include "scenes/radar.hpp"
+
+namespace specula {
+
+/// What the program knows by name: materials, radars and experiments below one root folder.
+struct Catalogue {
+    std::filesystem::path root;  ///< holds materials/library, scenes/radars, scenes/experiments
+    Library materials;
+
+    static Catalogue open(const std::filesystem::path& root);
+
+    std::vector<std::string> radar_names() const;
+    std::vector<std::string> experiment_names() const;
+    std::filesystem::path experiment_file(const std::string& name) const;
+
+    /// The radar that `section.<key>` names: one of the catalogue, or a file beside the section's.
+    Radar radar(Section& section, const std::string& key) const;
+    /// Checks that `section.<key>` names a material; returns its name.
+    std::string material_name(Section& section, const std::string& key) const;
+    /// "air", "metal" or a material.
+    std::string backing_name(Section& section, const std::string& key) const;
+};
+
+}  // namespace specula

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "sim/core/document.hpp"
+
+namespace specula {
+
+/// One linear frequency ramp and when the ADC looks at it.
+///
+/// Sample n is output at (skip + n) / rate after the ramp starts and shows what happened
+/// `filter_latency_samples` earlier; samples before the ramp's start are not modelled.
+struct Chirp {
+    double start_hz = 57.5e9;
+    double slope_hz_s = 150e12;
+    double sample_rate_hz = 5e6;
+    int n_samples = 128;
+    int skip_samples = 28;
+    int filter_latency_samples = 11;
+    double ramp_end_s = 33e-6;
+
+    /// Number of samples between the start of the ramp and the first one kept.
+    int settle_samples() const { return skip_samples - filter_latency_samples; }
+    /// Transmit frequency at sample n; n in [-settle_samples(), n_samples).
+    double frequency_hz(int n) const;
+    double centre_hz() const;
+    /// Swept while the samples are taken: slope * n_samples / rate.
+    double bandwidth_hz() const;
+    /// Range bin of an n_samples-point transform: c / (2 B).
+    double bin_m() const;
+    double bin_of(double range_m) const { return range_m / bin_m(); }
+    double beat_hz(double range_m) const;
+    /// Farthest range that the decimation filter passes (0.45 of the sample rate).
+    double max_range_m() const;
+
+    static Chirp read(Section& section);
+};
+
+}  // namespace specula

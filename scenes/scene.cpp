@@ -1,0 +1,82 @@
+#include "scenes/scene.hpp"
+
+#include "sim/core/constants.hpp"
+#include "sim/core/format.hpp"
+
+namespace specula {
+
+namespace {
+
+constexpr double steepest_rad = 85.0 * pi / 180.0;
+
+Sample read_sample(Section section, const Catalogue& catalogue) {
+    Sample sample;
+    sample.material = catalogue.material_name(section, "material");
+    section.choice("shape", {"plate"}, "plate");
+    const auto size = section.quantities("size", Unit::length, 2, Range::inside(0.0, 10.0));
+    sample.face = {.size_x_m = size[0],
+                   .size_y_m = size[1],
+                   .bow_m = section.quantity("bow", Unit::length, Range::between(-0.05, 0.05), 0.)};
+    sample.thickness_m = section.quantity("thickness", Unit::length, Range::inside(0.0, 1.0));
+    sample.roughness_m =
+        section.quantity("roughness", Unit::length, Range::between(0.0, 0.002), 0.0);
+    sample.backing = catalogue.backing_name(section, "backing");
+    section.finish();
+    return sample;
+}
+
+}  // namespace
+
+Pose read_pose(Section section) {
+    Pose pose;
+    pose.height_m = section.quantity("height", Unit::length, Range::inside(0.0, 100.0));
+    const double tilt_rad =
+        section.quantity("tilt", Unit::angle, Range::between(-steepest_rad, steepest_rad), 0.0);
+    const std::string axis = section.choice("tilt_plane", {"azimuth", "elevation"}, "azimuth");
+    const std::string tilted = section.choice("tilted", {"sensor", "sample"}, "sensor");
+    Pose::Tilt& tilt = tilted == "sensor" ? pose.sensor : pose.sample;
+    (axis == "azimuth" ? tilt.about_y_rad : tilt.about_x_rad) = tilt_rad;
+    if (section.has_quantity("pivot", Unit::length)) {
+        const auto p = section.quantities("pivot", Unit::length, 3, Range::between(-10.0, 10.0));
+        if (tilted == "sensor")
+            section.fail("pivot_mm", "a tilted sensor turns about its own phase centre",
+                         "remove it, or write tilted = \"sample\"");
+        pose.pivot_m = {p[0], p[1], p[2]};
+    }
+    if (section.has_quantity("offset", Unit::length)) {
+        const auto o = section.quantities("offset", Unit::length, 2, Range::between(-10.0, 10.0));
+        pose.offset_x_m = o[0];
+        pose.offset_y_m = o[1];
+    }
+    pose.yaw_rad = section.quantity("yaw", Unit::angle, Range::between(-pi, pi), 0.0);
+    section.finish();
+    return pose;
+}
+
+std::string blind_reason(const Radar& radar, double height_m) {
+    if (height_m > radar.chirp.max_range_m())
+        return format("is beyond the farthest range of the chirp of {}, {:.3g} m", radar.name,
+                      radar.chirp.max_range_m());
+    if (radar.chirp.bin_of(height_m) < 3.0)
+        return format("is bin {:.2g} of the chirp of {}, among the leakage of bins 0 to 2",
+                      radar.chirp.bin_of(height_m), radar.name);
+    return "";
+}
+
+Scene read_scene(const std::filesystem::path& file, const Catalogue& catalogue) {
+    Section section = Section::read(file);
+    Scene scene;
+    scene.radar = catalogue.radar(section, "radar");
+    scene.sample = read_sample(section.section("sample"), catalogue);
+    Section geometry = section.section("geometry");
+    scene.pose = read_pose(geometry);
+    const std::string blind = blind_reason(scene.radar, scene.pose.height_m);
+    if (!blind.empty())
+        geometry.fail(geometry.has("height_mm") ? "height_mm" : "height_m", blind,
+                      format("choose a height of {:.3g} to {:.3g} m, or another radar",
+                             3.0 * scene.radar.chirp.bin_m(), scene.radar.chirp.max_range_m()));
+    section.finish();
+    return scene;
+}
+
+}  // namespace specula

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "scenes/catalogue.hpp"
+#include "scenes/pose.hpp"
+#include "scenes/sample.hpp"
+
+namespace specula {
+
+/// One measurement: a radar, a sample, and how they lie to each other.
+struct Scene {
+    Radar radar;
+    Sample sample;
+    Pose pose;
+};
+
+/// Reads a scene file (keys: scenes/README.md) and refuses what cannot be.
+Scene read_scene(const std::filesystem::path& file, const Catalogue& catalogue);
+
+/// Reads [geometry] with every key in it.
+Pose read_pose(Section section);
+
+/// The first reason why this radar cannot see a face at this height, empty when it can: too far for
+/// the chirp's sampling, or so near that it shares the first bins with leakage.
+std::string blind_reason(const Radar& radar, double height_m);
+
+}  // namespace specula

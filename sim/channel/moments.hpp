@@ -1,0 +1,29 @@
+#pragma once
+
+#include <complex>
+#include <vector>
+
+#include "sim/channel/chebyshev.hpp"
+#include "sim/trace/scatter.hpp"
+
+namespace specula {
+
+/// Where the moments of a scatter are taken.
+struct MomentGrid {
+    ChebyshevGrid frequency_hz;   ///< nodes at which the sums are made
+    ChebyshevGrid cos_incidence;  ///< interval and number of polynomials
+    double reference_path_m;      ///< taken out of every phase
+};
+
+/// Sums over the points of a pair, with no material in them:
+/// S_p(f) = Sum_i weight_i T_p(cos_i) exp(-jk(f) (path_i - reference)).
+/// The incident part has one polynomial only. Layout (polynomial, frequency node).
+struct Moments {
+    std::vector<std::complex<double>> incident;  ///< (frequency)
+    std::vector<std::complex<double>> te;        ///< (polynomial, frequency)
+    std::vector<std::complex<double>> tm;        ///< (polynomial, frequency)
+};
+
+Moments moments_of(const PairScatter& pair, const MomentGrid& grid);
+
+}  // namespace specula

@@ -1,0 +1,101 @@
+#include "sim/core/atomic_file.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <string>
+
+#include "sim/core/error.hpp"
+
+namespace specula {
+
+namespace {
+
+[[noreturn]] void fail(const std::filesystem::path& path, const char* what, int error) {
+    throw SystemError(path.string() + ": " + what + ": " + std::strerror(error));
+}
+
+/// Repeats a system call that a signal interrupted.
+template <typename Call>
+auto uninterrupted(Call call) {
+    auto result = call();
+    while (result == -1 && errno == EINTR) result = call();
+    return result;
+}
+
+/// A file that is removed unless it got its final name.
+class Draft {
+  public:
+    explicit Draft(const std::filesystem::path& file) {
+        static std::atomic<unsigned> n_drafts{0};
+        do {  // a name may be taken: left by a process of the same id that was killed
+            path_ = file;
+            path_ += ".draft-" + std::to_string(::getpid()) + "-" + std::to_string(n_drafts++);
+            descriptor_ = uninterrupted([&] {
+                return ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+            });
+        } while (descriptor_ == -1 && errno == EEXIST);
+        if (descriptor_ == -1) fail(file, "cannot create", errno);
+    }
+    Draft(const Draft&) = delete;
+    Draft& operator=(const Draft&) = delete;
+    ~Draft() {
+        if (descriptor_ != -1) ::close(descriptor_);
+        if (!in_place_) ::unlink(path_.c_str());
+    }
+
+    void write(std::string_view content) {
+        while (!content.empty()) {
+            const ssize_t n =
+                uninterrupted([&] { return ::write(descriptor_, content.data(), content.size()); });
+            if (n == -1) fail(path_, "cannot write", errno);
+            content.remove_prefix(static_cast<std::size_t>(n));
+        }
+    }
+
+    void close_on_disk() {
+        if (uninterrupted([&] { return ::fsync(descriptor_); }) == -1)
+            fail(path_, "cannot bring to the disk", errno);
+        const int result = ::close(descriptor_);
+        descriptor_ = -1;
+        // Interrupted or not, Linux has released the descriptor, and the data is on the disk.
+        if (result == -1 && errno != EINTR) fail(path_, "cannot close", errno);
+    }
+
+    void put_in_place(const std::filesystem::path& file) {
+        if (::rename(path_.c_str(), file.c_str()) == -1) fail(file, "cannot replace", errno);
+        in_place_ = true;
+    }
+
+  private:
+    std::filesystem::path path_;
+    int descriptor_ = -1;
+    bool in_place_ = false;
+};
+
+/// Brings the new name to the disk.
+void sync_folder(const std::filesystem::path& folder) {
+    const int descriptor =
+        uninterrupted([&] { return ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); });
+    if (descriptor == -1) fail(folder, "cannot open", errno);
+    const int result = uninterrupted([&] { return ::fsync(descriptor); });
+    const int error = errno;
+    ::close(descriptor);
+    // Some network file systems know no fsync of a folder.
+    if (result == -1 && error != EINVAL) fail(folder, "cannot bring to the disk", error);
+}
+
+}  // namespace
+
+void write_file_atomically(const std::filesystem::path& file, std::string_view content) {
+    Draft draft(file);
+    draft.write(content);
+    draft.close_on_disk();
+    draft.put_in_place(file);
+    sync_folder(file.has_parent_path() ? file.parent_path() : std::filesystem::path("."));
+}
+
+}  // namespace specula

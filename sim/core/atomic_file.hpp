@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+namespace specula {
+
+/// Puts a file in place whole or not at all: whoever opens `file`, even after a power cut, finds
+/// the old content or the new one, never a part.
+///
+/// The content goes to a new file beside it, to the disk, then under the name; mode 0666 less the
+/// umask. A symbolic link of that name is replaced, not followed.
+/// Throws SystemError `path: what failed: reason`; nothing is left behind.
+void write_file_atomically(const std::filesystem::path& file, std::string_view content);
+
+}  // namespace specula

@@ -1,0 +1,211 @@
+#include "sim/core/document.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "sim/core/document_table.hpp"
+#include "sim/core/error.hpp"
+#include "sim/core/format.hpp"
+
+namespace specula {
+
+bool Range::holds(double value) const {
+    return std::isfinite(value) && (min_excluded ? value > min : value >= min) &&
+           (max_excluded ? value < max : value <= max);
+}
+
+Section Section::read(const std::filesystem::path& file) {
+    std::error_code ignored;
+    const auto status = std::filesystem::status(file, ignored);
+    const std::string name = file.string();
+    if (!std::filesystem::exists(status)) throw InputError(name + ": no such file; check the path");
+    if (!std::filesystem::is_regular_file(status))
+        throw InputError(name + ": is not a regular file; name a TOML file");
+    if (std::filesystem::file_size(file, ignored) > (1u << 20))
+        throw InputError(name + ": is larger than 1 MiB; a description file is text of a few kB");
+    std::ifstream in(file, std::ios::binary);
+    std::ostringstream text;
+    text << in.rdbuf();
+    if (!in) throw InputError(name + ": cannot be read; check its permissions");
+    return parse(text.str(), name);
+}
+
+Section Section::parse(const std::string& text, const std::string& name) {
+    auto source = std::make_shared<DocumentSource>();
+    source->name = name;
+    source->text = text;
+    try {
+        source->root = toml::parse(std::string_view(source->text), std::string_view(name));
+    } catch (const toml::parse_error& error) {
+        throw InputError(format("{}:{}: not valid TOML: {}; see https://toml.io for the syntax",
+                                name, error.source().begin.line, error.description()));
+    }
+    const toml::table* root = &source->root;
+    return Section(std::make_shared<Table>(Table{std::move(source), root, ""}));
+}
+
+std::string Section::text(const std::string& key) {
+    const toml::node& node = table_->need(key);
+    const auto* value = node.as_string();
+    if (!value) table_->fail(key, &node, "is not text", "put it in quotes");
+    if (value->get().empty()) table_->fail(key, &node, "is empty", "give a word");
+    return value->get();
+}
+
+std::string Section::text(const std::string& key, const std::string& fallback) {
+    return table_->find(key) ? text(key) : fallback;
+}
+
+std::string Section::choice(const std::string& key, const std::vector<std::string>& options) {
+    const std::string value = text(key);
+    if (std::find(options.begin(), options.end(), value) == options.end()) {
+        const std::string near = nearest_word(value, options);
+        fail(key, "is not known",
+             (near.empty() ? "" : "did you mean \"" + near + "\"? ") + "use " +
+                 quoted_list(options));
+    }
+    return value;
+}
+
+std::string Section::choice(const std::string& key, const std::vector<std::string>& options,
+                            const std::string& fallback) {
+    return table_->find(key) ? choice(key, options) : fallback;
+}
+
+double Section::number(const std::string& key, Range range) {
+    const toml::node& node = table_->need(key);
+    return table_->checked_number({key, &node, 1.0, ""}, node, range);
+}
+
+double Section::number(const std::string& key, Range range, double fallback) {
+    return table_->find(key) ? number(key, range) : fallback;
+}
+
+int Section::count(const std::string& key, Range range) {
+    const toml::node& node = table_->need(key);
+    if (!node.is_integer())
+        table_->fail(key, &node, "is not a whole number",
+                     "give a whole number " + described(range, 1.0, ""));
+    range.max = std::min(range.max, static_cast<double>(std::numeric_limits<int>::max()));
+    return static_cast<int>(table_->checked_number({key, &node, 1.0, ""}, node, range));
+}
+
+int Section::count(const std::string& key, Range range, int fallback) {
+    return table_->find(key) ? count(key, range) : fallback;
+}
+
+bool Section::flag(const std::string& key, bool fallback) {
+    const toml::node* node = table_->find(key);
+    if (!node) return fallback;
+    const auto* value = node->as_boolean();
+    if (!value) table_->fail(key, node, "is not true or false", "write true or false, no quotes");
+    return value->get();
+}
+
+double Section::quantity(const std::string& name, Unit unit, Range range) {
+    const auto named = table_->need_quantity(name, unit);
+    return table_->checked_number(named, *named.node, range);
+}
+
+double Section::quantity(const std::string& name, Unit unit, Range range, double fallback) {
+    return table_->find_quantity(name, unit) ? quantity(name, unit, range) : fallback;
+}
+
+Distribution Section::distribution(const std::string& name, Unit unit, Range range) {
+    return table_->checked_law(table_->need_quantity(name, unit), range);
+}
+
+Distribution Section::distribution(const std::string& name, Unit unit, Range range,
+                                   const Distribution& fallback) {
+    return table_->find_quantity(name, unit) ? distribution(name, unit, range) : fallback;
+}
+
+Distribution Section::factor(const std::string& key, Range range, const Distribution& fallback) {
+    const toml::node* node = table_->find(key);
+    return node ? table_->checked_law({key, node, 1.0, ""}, range) : fallback;
+}
+
+std::vector<double> Section::numbers(const std::string& key, std::size_t size, Range range) {
+    const toml::node& node = table_->need(key);
+    return table_->checked_numbers({key, &node, 1.0, ""}, size, range);
+}
+
+std::vector<double> Section::quantities(const std::string& name, Unit unit, std::size_t size,
+                                        Range range) {
+    return table_->checked_numbers(table_->need_quantity(name, unit), size, range);
+}
+
+std::vector<std::string> Section::texts(const std::string& key) {
+    const toml::node& node = table_->need(key);
+    const toml::array* array = node.as_array();
+    if (!array || array->empty()) table_->fail(key, &node, "is not a list", "write [\"a\", \"b\"]");
+    std::vector<std::string> values;
+    for (const toml::node& item : *array) {
+        if (!item.is_string())
+            table_->fail(key, &node, "holds something that is not text", "put it in quotes");
+        values.push_back(item.as_string()->get());
+    }
+    return values;
+}
+
+bool Section::has(const std::string& key) const {
+    return table_->find(key) != nullptr;
+}
+
+bool Section::has_quantity(const std::string& name, Unit unit) const {
+    return table_->find_quantity(name, unit).has_value();
+}
+
+Section Section::section(const std::string& key) {
+    const toml::node& node = table_->need(key);
+    const toml::table* inner = node.as_table();
+    if (!inner) table_->fail(key, &node, "is not a table", "write [" + table_->path + key + "]");
+    return Section(std::make_shared<Table>(Table{table_->source, inner, table_->path + key + "."}));
+}
+
+std::optional<Section> Section::find_section(const std::string& key) {
+    return table_->find(key) ? std::optional(section(key)) : std::nullopt;
+}
+
+std::vector<Section> Section::sections(const std::string& key) {
+    std::vector<Section> found;
+    const toml::node* node = table_->find(key);
+    if (!node) return found;
+    const toml::array* array = node->as_array();
+    if (!array || !array->is_homogeneous(toml::node_type::table))
+        table_->fail(key, node, "is not a list of tables", "write [[" + table_->path + key + "]]");
+    for (const toml::node& item : *array)
+        found.push_back(Section(std::make_shared<Table>(
+            Table{table_->source, item.as_table(), table_->path + key + "."})));
+    return found;
+}
+
+void Section::finish() const {
+    const std::vector<std::string> known(table_->known.begin(), table_->known.end());
+    for (const auto& [key, node] : *table_->table) {
+        const std::string name(key.str());
+        if (table_->known.count(name)) continue;
+        const std::string near = nearest_word(name, known);
+        const std::string where = table_->path.empty() ? "this file" : "this table";
+        const auto line = key.source().begin.line;
+        throw InputError(format("{}:{}: {}{} = {}: is not a key of {}; {}", table_->source->name,
+                                line, table_->path, name, shown_value(node), where,
+                                near.empty() ? "remove it" : "did you mean " + near + "?"));
+    }
+}
+
+void Section::fail(const std::string& key, const std::string& problem,
+                   const std::string& remedy) const {
+    table_->fail(key, table_->table->get(key), problem, remedy);
+}
+
+const std::string& Section::file() const {
+    return table_->source->name;
+}
+const std::string& Section::source() const {
+    return table_->source->text;
+}
+
+}  // namespace specula

@@ -1,0 +1,32 @@
+#include "sim/trace/physical_optics.hpp"
+
+namespace specula {
+
+namespace {
+
+/// Radiation of the currents that a plane wave `field` along `direction` drives in the surface.
+double received(const Bounce& bounce, const Vector3& direction, const Vector3& field) {
+    const Vector3 electric = bounce.normal.cross(direction.cross(field));  // eta0 J
+    const Vector3 magnetic = -bounce.normal.cross(field);                  // M
+    const Vector3 radiated =
+        electric - bounce.to_rx * bounce.to_rx.dot(electric) + magnetic.cross(bounce.to_rx);
+    return bounce.rx_field.dot(radiated);
+}
+
+}  // namespace
+
+BounceWeights bounce_weights(const Bounce& bounce) {
+    const Vector3& in = bounce.to_point;
+    const Vector3& n = bounce.normal;
+    const Vector3 across = in.cross(n);
+    const double sine = across.norm();
+    // At normal incidence every direction in the surface will do, since there r_TE = -r_TM.
+    const Vector3 s = sine > 1e-12 ? Vector3(across / sine) : n.unitOrthogonal();
+    const Vector3 out = in - 2.0 * in.dot(n) * n;
+    const Vector3 p_in = s.cross(in), p_out = s.cross(out);
+    return {.incident = received(bounce, in, bounce.tx_field),
+            .te = received(bounce, out, bounce.tx_field.dot(s) * s),
+            .tm = received(bounce, out, bounce.tx_field.dot(p_in) * p_out)};
+}
+
+}  // namespace specula
