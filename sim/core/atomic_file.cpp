@@ -88,6 +88,10 @@ void sync_folder(const std::filesystem::path& folder) {
     if (result == -1 && error != EINVAL) fail(folder, "cannot bring to the disk", error);
 }
 
+std::filesystem::path folder_of(const std::filesystem::path& file) {
+    return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+}
+
 }  // namespace
 
 void write_file_atomically(const std::filesystem::path& file, std::string_view content) {
@@ -95,7 +99,18 @@ void write_file_atomically(const std::filesystem::path& file, std::string_view c
     draft.write(content);
     draft.close_on_disk();
     draft.put_in_place(file);
-    sync_folder(file.has_parent_path() ? file.parent_path() : std::filesystem::path("."));
+    sync_folder(folder_of(file));
+}
+
+void publish_file(const std::filesystem::path& draft, const std::filesystem::path& file) {
+    const int descriptor = uninterrupted([&] { return ::open(draft.c_str(), O_RDONLY | O_CLOEXEC); });
+    if (descriptor == -1) fail(draft, "cannot open", errno);
+    const int result = uninterrupted([&] { return ::fsync(descriptor); });
+    const int error = errno;
+    ::close(descriptor);
+    if (result == -1) fail(draft, "cannot bring to the disk", error);
+    if (::rename(draft.c_str(), file.c_str()) == -1) fail(file, "cannot replace", errno);
+    sync_folder(folder_of(file));
 }
 
 }  // namespace specula

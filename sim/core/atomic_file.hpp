@@ -13,4 +13,8 @@ namespace specula {
 /// Throws SystemError `path: what failed: reason`; nothing is left behind.
 void write_file_atomically(const std::filesystem::path& file, std::string_view content);
 
+/// Gives a finished and closed file its final name, in the same folder, with the same promise; for
+/// libraries that write files themselves. Throws SystemError; `draft` is then still there.
+void publish_file(const std::filesystem::path& draft, const std::filesystem::path& file);
+
 }  // namespace specula

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "classifier/matrix.hpp"
+#include "sim/core/random.hpp"
+
+namespace specula {
+
+/// What one layer learns, or anything of that shape: its gradient, Adam's moments.
+template <typename Scalar>
+struct MlpLayer {
+    Matrix<Scalar> weight;       ///< (out, in)
+    ColumnVector<Scalar> bias;   ///< (out); size 0 in a hidden layer trained without
+    ColumnVector<Scalar> gamma;  ///< (out); size 0 in the output layer
+    ColumnVector<Scalar> beta;   ///< (out); size 0 in the output layer
+};
+
+/// Averages over batches, used instead of a batch's own once training is over.
+template <typename Scalar>
+struct RunningStatistics {
+    ColumnVector<Scalar> mean;      ///< (out)
+    ColumnVector<Scalar> variance;  ///< (out)
+};
+
+/// Linear - batch normalisation - ReLU, once per hidden layer, then linear.
+///
+/// Learns in float; exists in double so that it can be held against references.
+/// @eq  Ioffe and Szegedy 2015, arXiv 1502.03167, algorithm 1; conventions of torch 1.13:
+///      batch variance biased, running variance unbiased, running <- 0.9 running + 0.1 batch.
+template <typename Scalar>
+struct MlpNetwork {
+    std::vector<MlpLayer<Scalar>> layers;            ///< hidden ones, then the output
+    std::vector<RunningStatistics<Scalar>> running;  ///< (hidden layer)
+
+    std::size_t n_hidden() const { return running.size(); }
+};
+
+/// Weights and output bias uniform in +-1/sqrt(n_in); gamma 1, beta 0, running mean 0 and variance 1.
+/// Hidden layers get no bias (see classifier/model.hpp).
+/// @in  widths  inputs, hidden ..., classes; at least two, each > 0
+template <typename Scalar>
+MlpNetwork<Scalar> initial_network(const std::vector<int>& widths, Stream& stream);
+
+/// One batch on its way through a network and back; sized once, so that a step allocates nothing.
+template <typename Scalar>
+struct MlpWorkspace {
+    MlpWorkspace(const MlpNetwork<Scalar>& network, Eigen::Index max_examples);
+
+    struct Hidden {
+        Matrix<Scalar> normalised;  ///< (unit, example), zero mean and unit variance over the batch
+        Matrix<Scalar> output;      ///< (unit, example), after the ReLU
+        Matrix<Scalar> gradient;    ///< (unit, example), d loss / d (what enters the normalisation)
+        ColumnVector<Scalar> mean, variance, inverse_sd;  ///< (unit), of the batch, biased
+        ColumnVector<Scalar> gradient_mean, gradient_product, gain;  ///< (unit), on the way back
+    };
+
+    Eigen::Index n_examples = 0;
+    Matrix<Scalar> input;             ///< (feature, example)
+    std::vector<std::uint8_t> label;  ///< (example)
+    std::vector<Hidden> hidden;
+    Matrix<Scalar> logits;                    ///< (class, example)
+    Matrix<Scalar> logit_gradient;            ///< (class, example), d loss / d logit
+    std::vector<MlpLayer<Scalar>> gradient;   ///< (layer), d loss / d parameter
+};
+
+/// Copies columns of `inputs` (feature, example) and their labels into the workspace.
+/// @in  chosen  1 to max_examples of them, each < inputs.cols()
+template <typename Scalar>
+void load_batch(const Matrix<Scalar>& inputs, std::span<const std::uint8_t> labels,
+                std::span<const std::uint32_t> chosen, MlpWorkspace<Scalar>& workspace);
+
+/// The mean cross-entropy of the loaded batch, in nats. Moves the running statistics on.
+/// @in  workspace  at least 2 examples: the variance of one is undefined
+template <typename Scalar>
+double forward_train(MlpNetwork<Scalar>& network, MlpWorkspace<Scalar>& workspace);
+
+/// Fills `workspace.gradient` for the batch that forward_train saw last.
+template <typename Scalar>
+void backward(const MlpNetwork<Scalar>& network, MlpWorkspace<Scalar>& workspace);
+
+/// Logits (class, example) with the running statistics, as after training.
+/// @in  inputs  (feature, example)
+template <typename Scalar>
+Matrix<Scalar> eval_logits(const MlpNetwork<Scalar>& network, const Matrix<Scalar>& inputs);
+
+}  // namespace specula

@@ -1,0 +1,178 @@
+#include "classifier/model_file.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+#include <set>
+#include <sstream>
+
+#include "classifier/json_field.hpp"
+#include "firmware/fw_mlp.h"
+#include "sim/core/atomic_file.hpp"
+#include "sim/core/error.hpp"
+#include "sim/core/expect.hpp"
+#include "sim/core/format.hpp"
+
+namespace specula {
+
+namespace {
+
+constexpr const char* format_name = "specula model";
+constexpr std::int64_t format_version = 1;
+constexpr std::uintmax_t max_bytes = 16u << 20;
+constexpr std::size_t max_width = std::numeric_limits<std::uint16_t>::max();  // of fw_layer
+constexpr std::size_t max_classes = 256;                                      // labels are bytes
+constexpr float lowest = std::numeric_limits<float>::lowest();
+
+FloatJson rows(const std::vector<float>& values, std::size_t n_in) {
+    FloatJson result = FloatJson::array();
+    for (auto row = values.begin(); row != values.end(); row += static_cast<std::ptrdiff_t>(n_in))
+        result.push_back(std::vector<float>(row, row + static_cast<std::ptrdiff_t>(n_in)));
+    return result;
+}
+
+/// Like dump(2), but an array of plain values stays on one line.
+void print(const FloatJson& value, const std::string& indent, std::string& text) {
+    const auto is_plain = [](const FloatJson& element) { return element.is_primitive(); };
+    if (value.is_primitive() || (value.is_array() && std::ranges::all_of(value, is_plain))) {
+        text += value.dump(-1, ' ', false, FloatJson::error_handler_t::replace);
+        return;
+    }
+    const std::string inner = indent + "  ";
+    text += value.is_array() ? "[" : "{";
+    const char* separator = "\n";
+    for (const auto& [key, element] : value.items()) {
+        text += separator + inner;
+        if (value.is_object())
+            text += FloatJson(key).dump(-1, ' ', false, FloatJson::error_handler_t::replace) + ": ";
+        print(element, inner, text);
+        separator = ",\n";
+    }
+    text += "\n" + indent + (value.is_array() ? "]" : "}");
+}
+
+std::string read_text(const std::filesystem::path& file) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(file, ignored))
+        throw InputError(file.string() + ": no such file; check the path");
+    if (!std::filesystem::is_regular_file(file, ignored))
+        throw InputError(file.string() + ": is not a regular file; name a model file");
+    if (std::filesystem::file_size(file, ignored) > max_bytes)
+        throw InputError(file.string() + ": is larger than 16 MiB; name a model file");
+    std::ifstream in(file, std::ios::binary);
+    std::ostringstream text;
+    text << in.rdbuf();
+    if (!in) throw InputError(file.string() + ": cannot be read; check its permissions");
+    return text.str();
+}
+
+/// (out, in), with as many rows as there are, each of n_in numbers.
+std::vector<float> read_rows(const JsonField& field, std::size_t n_in) {
+    std::vector<float> values;
+    const std::vector<JsonField> items = field.items();
+    if (items.empty() || items.size() > max_width)
+        field.fail("has no row or too many", format("use 1 to {}", max_width));
+    for (const JsonField& row : items) {
+        const std::vector<float> numbers = row.numbers(n_in, lowest);
+        values.insert(values.end(), numbers.begin(), numbers.end());
+    }
+    return values;
+}
+
+HiddenLayer read_hidden(const JsonField& field, std::size_t n_in) {
+    HiddenLayer layer;
+    layer.n_in = n_in;
+    layer.weight = read_rows(field.at("weight"), n_in);
+    layer.n_out = layer.weight.size() / n_in;
+    layer.gamma = field.at("gamma").numbers(layer.n_out, lowest);
+    layer.beta = field.at("beta").numbers(layer.n_out, lowest);
+    layer.mean = field.at("mean").numbers(layer.n_out, lowest);
+    layer.variance = field.at("variance").numbers(layer.n_out, 0.0f);
+    return layer;
+}
+
+std::vector<std::string> read_class_names(const JsonField& field) {
+    std::vector<std::string> names;
+    for (const JsonField& item : field.items()) names.push_back(item.text());
+    if (names.empty() || names.size() > max_classes)
+        field.fail("has no class or too many", format("use 1 to {}", max_classes));
+    if (std::set<std::string>(names.begin(), names.end()).size() != names.size())
+        field.fail("names a class twice", "give each its own name");
+    return names;
+}
+
+Model read_fields(const JsonField& root) {
+    if (root.at("format").text() != format_name)
+        root.at("format").fail("is another kind of file", "name a model file");
+    if (root.at("version").integer() != format_version)
+        root.at("version").fail("is not a version this program reads",
+                                format("use a model of version {}", format_version));
+    Model model;
+    model.extractor = root.at("extractor").text();
+    model.class_names = read_class_names(root.at("class_names"));
+    for (const JsonField& item : root.at("provenance").items())
+        model.provenance.emplace_back(item.key(), item.text());
+    const JsonField mean = root.at("input_mean");
+    std::size_t n_in = mean.items().size();
+    if (n_in == 0 || n_in > max_width)
+        mean.fail("has no feature or too many", format("use 1 to {}", max_width));
+    model.input_mean = mean.numbers(n_in, lowest);
+    model.input_scale = root.at("input_scale").numbers(n_in, 0.0f);
+    const std::vector<JsonField> hidden = root.at("hidden").items();
+    if (hidden.size() + 1 > FW_MLP_MAX_LAYERS)
+        root.at("hidden").fail("has too many layers",
+                               format("the firmware runs at most {}", FW_MLP_MAX_LAYERS - 1));
+    for (const JsonField& layer : hidden) {
+        model.hidden.push_back(read_hidden(layer, n_in));
+        n_in = model.hidden.back().n_out;
+    }
+    const JsonField output = root.at("output");
+    model.output = {.n_in = n_in,
+                    .n_out = model.n_classes(),
+                    .weight = read_rows(output.at("weight"), n_in),
+                    .bias = output.at("bias").numbers(model.n_classes(), lowest)};
+    if (model.output.weight.size() != n_in * model.n_classes())
+        output.at("weight").fail("has the wrong number of rows",
+                                 format("one per class: {}", model.n_classes()));
+    return model;
+}
+
+}  // namespace
+
+void write_model(const Model& model, const std::filesystem::path& file) {
+    FloatJson root;
+    root["format"] = format_name;
+    root["version"] = format_version;
+    root["extractor"] = model.extractor;
+    root["class_names"] = model.class_names;
+    root["provenance"] = FloatJson::object();
+    for (const auto& [what, value] : model.provenance) root["provenance"][what] = value;
+    root["input_mean"] = model.input_mean;
+    root["input_scale"] = model.input_scale;
+    root["hidden"] = FloatJson::array();
+    for (const HiddenLayer& layer : model.hidden)
+        root["hidden"].push_back({{"weight", rows(layer.weight, layer.n_in)},
+                                  {"gamma", layer.gamma},
+                                  {"beta", layer.beta},
+                                  {"mean", layer.mean},
+                                  {"variance", layer.variance}});
+    root["output"] = {{"weight", rows(model.output.weight, model.output.n_in)},
+                      {"bias", model.output.bias}};
+    std::string text;
+    print(root, "", text);
+    write_file_atomically(file, text + "\n");
+}
+
+Model read_model(const std::filesystem::path& file) {
+    const std::string name = file.string();
+    FloatJson root;
+    try {
+        root = FloatJson::parse(read_text(file));
+    } catch (const FloatJson::exception& error) {
+        throw InputError(format("{}: is not valid JSON: {}; train the model again", name,
+                                error.what()));
+    }
+    return read_fields(JsonField(name, root));
+}
+
+}  // namespace specula

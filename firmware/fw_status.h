@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#ifndef FW_STATUS_H
+#define FW_STATUS_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The one list of results: enumerators and names both come from here. */
+#define FW_STATUS_LIST(X)                                                                   \
+    X(FW_OK)            /* done; outputs written */                                         \
+    X(FW_ERR_NULL)      /* a pointer that must be given is NULL */                          \
+    X(FW_ERR_SHAPE)     /* a count outside its range, or counts that do not fit together */ \
+    X(FW_ERR_CONFIG)    /* a choice that does not exist, or bins beyond the spectrum */     \
+    X(FW_ERR_SCRATCH)   /* scratch too small or misaligned */                               \
+    X(FW_ERR_NONFINITE) /* an infinity or NaN came in, or would go out */
+
+#define FW_STATUS_ENUMERATOR(name) name,
+typedef enum fw_status { FW_STATUS_LIST(FW_STATUS_ENUMERATOR) } fw_status;
+#undef FW_STATUS_ENUMERATOR
+
+/* The enumerator as text, e.g. "FW_ERR_SHAPE"; "unknown fw_status" for any other value.
+ * Never NULL; static storage. */
+const char* fw_status_name(fw_status status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace specula {
+
+/// The one door to HDF5: tables of numbers with text beside them, in the house format: version 1.10
+/// objects, chunks of one row or one block, shuffle + gzip + fletcher32, no times (the same content
+/// gives the same bytes), fixed-length text, no links but hard ones.
+///
+/// One thread at a time. Every failure names the file and the object.
+class Hdf5File {
+  public:
+    /// A new file under a temporary name beside `file`; `publish` gives it its name. Throws
+    /// SystemError.
+    static Hdf5File create(const std::filesystem::path& file);
+    /// Throws InputError when it is not such a file.
+    static Hdf5File open(const std::filesystem::path& file);
+
+    Hdf5File(Hdf5File&& other) noexcept;
+    Hdf5File& operator=(Hdf5File&&) = delete;
+    ~Hdf5File();  ///< an unpublished file is removed
+
+    void create_group(const std::string& name);
+    /// A table of `shape`, one chunk per `rows_per_chunk` rows, filled at once.
+    template <typename T>
+    void write(const std::string& name, const std::vector<std::size_t>& shape,
+               std::size_t rows_per_chunk, const std::vector<T>& values);
+    void set_text(const std::string& object, const std::string& name, const std::string& text);
+    void set_number(const std::string& object, const std::string& name, double value);
+    void set_texts(const std::string& object, const std::string& name,
+                   const std::vector<std::string>& texts);
+
+    std::vector<std::size_t> shape(const std::string& name) const;
+    template <typename T>
+    std::vector<T> read(const std::string& name) const;
+    std::string text(const std::string& object, const std::string& name) const;
+    double number(const std::string& object, const std::string& name) const;
+    std::vector<std::string> texts(const std::string& object, const std::string& name) const;
+
+    /// Closes the file, brings it to the disk and puts it under its name. Throws SystemError.
+    void publish();
+
+  private:
+    Hdf5File(std::filesystem::path file, std::filesystem::path draft, std::int64_t handle)
+        : file_(std::move(file)), draft_(std::move(draft)), handle_(handle) {}
+
+    std::filesystem::path file_;
+    std::filesystem::path draft_;  ///< empty when opened for reading or published
+    std::int64_t handle_ = -1;
+};
+
+}  // namespace specula

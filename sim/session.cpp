@@ -1,0 +1,158 @@
+#include "sim/session.hpp"
+
+#include <cmath>
+
+#include "sim/clutter.hpp"
+#include "sim/core/expect.hpp"
+#include "sim/trace/trace.hpp"
+
+namespace specula {
+
+namespace {
+
+/// Names a session, or a frame of it, among all of a world: 4 + 6 + 10 (+ 12) bits.
+std::uint32_t item_of(const Condition& condition, const SessionId& id) {
+    return (static_cast<std::uint32_t>(condition.number) << 16) |
+           (static_cast<std::uint32_t>(id.label) << 10) | static_cast<std::uint32_t>(id.session);
+}
+
+StreamKey key_of(const Bench& bench, const SessionId& id, std::string_view purpose,
+                 std::uint32_t item) {
+    return {.seed = bench.seed,
+            .purpose = purpose,
+            .world = static_cast<std::uint32_t>(id.world),
+            .item = item};
+}
+
+/// The number of a physical piece in its world: one per class for the known, then one per class
+/// and session for the new.
+int piece_of(const Condition& condition, const SessionId& id) {
+    if (!condition.new_samples) return id.label;
+    return (1 + id.session) * 64 + id.label + (condition.number << 16);
+}
+
+Sample draw_sample(const Bench& bench, const Condition& condition, const SessionId& id) {
+    const SampleLaw& law = bench.population.classes[static_cast<std::size_t>(id.label)];
+    Stream stream(
+        key_of(bench, id, "sample", static_cast<std::uint32_t>(piece_of(condition, id))));
+    Sample sample = law.nominal;
+    sample.thickness_m = law.thickness_m.sample(stream);
+    sample.face.bow_m = law.bow_m.sample(stream);
+    sample.roughness_m = std::abs(law.roughness_m.sample(stream));
+    sample.permittivity_factor = law.permittivity_factor.sample(stream);
+    sample.loss_factor = law.loss_factor.sample(stream);
+    return sample;
+}
+
+/// The board's state and the sample's place for one session.
+struct Placed {
+    Pose pose;
+    double gain_db;
+    double leakage_db;
+    double leakage_rad;
+};
+
+Placed draw_placement(const Bench& bench, const Condition& condition, const SessionId& id) {
+    const SessionLaw& law = bench.population.session;
+    Stream stream(key_of(bench, id, "placement", item_of(condition, id)));
+    Placed placed{.pose = condition.pose(id.session), .gain_db = 0., .leakage_db = 0., .leakage_rad = 0.};
+    placed.pose.height_m += law.height_m.sample(stream);
+    placed.pose.sample.about_x_rad += law.tilt_rad.sample(stream);
+    placed.pose.sample.about_y_rad += law.tilt_rad.sample(stream);
+    placed.pose.offset_x_m += law.offset_m.sample(stream);
+    placed.pose.offset_y_m += law.offset_m.sample(stream);
+    placed.pose.yaw_rad += law.yaw_rad.sample(stream);
+    placed.gain_db = law.gain_db.sample(stream);
+    placed.leakage_db = law.leakage_db.sample(stream);
+    placed.leakage_rad = law.leakage_rad.sample(stream);
+    return placed;
+}
+
+Channel echo_channel(const Bench& bench, const Sample& sample, const Pose& pose,
+                     const FrequencyComb& comb) {
+    const PlateView view{sample.face, sample_placement(pose), radar_placement(pose)};
+    const Geometry geometry({triangulate(view.plate, view.plate_placement)});
+    const Scatter scatter = trace(view, bench.radar, geometry, comb.last_hz());
+    return channel_of(scatter, reflector_of(sample, bench.materials), comb);
+}
+
+Channel still_channel(const Bench& bench, const Condition& condition, const SessionId& id,
+                      const Placed& placed, const FrequencyComb& comb) {
+    const Radar& radar = bench.radar;
+    Channel channel = silent_channel(static_cast<int>(radar.rx.size()), comb);
+    for (const Leakage& leak : radar.leakage) {
+        const double db = leak.level_dbm + placed.leakage_db - radar.tx_power_dbm;
+        add_path(channel, comb,
+                 {.rx = leak.rx,
+                  .length_m = 2.0 * leak.range_m,
+                  .transfer = std::polar(std::pow(10.0, db / 20.0),
+                                         leak.phase_rad + placed.leakage_rad)});
+    }
+    const double mirror = mirror_transfer(radar, bench.nominal_height_m);
+    Stream world(key_of(bench, id, "world clutter", 0));
+    add_clutter(channel, comb, bench.population.world_clutter, radar, mirror, world);
+    Stream session(key_of(bench, id, "session clutter", item_of(condition, id)));
+    add_clutter(channel, comb, bench.population.session_clutter, radar, mirror, session);
+    return channel;
+}
+
+Truth session_truth(const Condition& condition, const SessionId& id, const Sample& sample,
+                    const Pose& pose) {
+    Truth truth;
+    truth.label = static_cast<std::uint8_t>(id.label);
+    truth.world = id.world;
+    truth.sample = piece_of(condition, id);
+    truth.session = static_cast<std::int32_t>(item_of(condition, id));
+    truth.height_m = pose.height_m;
+    truth.nominal_height_m = condition.pose(id.session).height_m;
+    truth.sensor_tilt_x_rad = pose.sensor.about_x_rad;
+    truth.sensor_tilt_y_rad = pose.sensor.about_y_rad;
+    truth.sample_tilt_x_rad = pose.sample.about_x_rad;
+    truth.sample_tilt_y_rad = pose.sample.about_y_rad;
+    truth.offset_x_m = pose.offset_x_m;
+    truth.offset_y_m = pose.offset_y_m;
+    truth.yaw_rad = pose.yaw_rad;
+    truth.size_x_m = sample.face.size_x_m;
+    truth.size_y_m = sample.face.size_y_m;
+    truth.thickness_m = sample.thickness_m;
+    truth.bow_m = sample.face.bow_m;
+    truth.roughness_m = sample.roughness_m;
+    truth.permittivity_factor = sample.permittivity_factor;
+    truth.loss_factor = sample.loss_factor;
+    return truth;
+}
+
+}  // namespace
+
+SessionFrames simulate_session(const Bench& bench, const Condition& condition,
+                               const SessionId& id) {
+    SPECULA_EXPECT(id.session < condition.sessions_per_class());
+    const Sample sample = draw_sample(bench, condition, id);
+    const Placed placed = draw_placement(bench, condition, id);
+    const FrequencyComb comb = comb_of(bench.radar.chirp);
+    const ReceiverInput input{
+        dechirp(echo_channel(bench, sample, placed.pose, comb), bench.radar.chirp),
+        dechirp(still_channel(bench, condition, id, placed, comb), bench.radar.chirp)};
+    const ReceiverChain chain(bench.radar);
+
+    SessionFrames out;
+    Truth truth = session_truth(condition, id, sample, placed.pose);
+    for (int i = 0; i < condition.frames; ++i) {
+        const std::uint32_t item =
+            (item_of(condition, id) << 12) | static_cast<std::uint32_t>(i);
+        Stream state_stream(key_of(bench, id, "frame", item));
+        const FrameState state{
+            .displacement_m = bench.population.frame.displacement_m.sample(state_stream),
+            .gain_db = placed.gain_db + bench.population.frame.gain_db.sample(state_stream)};
+        Stream noise(key_of(bench, id, "thermal noise", item));
+        const AdcFrame frame = chain.receive(input, state, noise);
+        out.adc.insert(out.adc.end(), frame.codes.begin(), frame.codes.end());
+        truth.frame = i;
+        truth.gain_db = state.gain_db;
+        truth.displacement_m = state.displacement_m;
+        out.truth.push_back(truth);
+    }
+    return out;
+}
+
+}  // namespace specula

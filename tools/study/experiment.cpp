@@ -1,0 +1,122 @@
+#include "tools/study/experiment.hpp"
+
+#include <algorithm>
+
+#include "sim/core/format.hpp"
+#include "tools/report/study_summary.hpp"
+
+namespace specula {
+
+namespace {
+
+Extent read_extent(Section& section) {
+    return {.worlds = section.count("worlds", Range::between(1, 1000)),
+            .epochs = section.count("epochs", Range::between(1, 10000))};
+}
+
+fw_extract_config read_descriptor(Section section, const Radar& radar) {
+    const int last_bin = radar.chirp.n_samples / 2;
+    const int first = section.count("first_bin", Range::between(0, last_bin - 1), FW_DEFAULT_FIRST_BIN);
+    const int n = section.count("n_bins", Range::between(1, last_bin - first), FW_DEFAULT_N_BINS);
+    const std::string window = section.choice("window", {"blackman", "hann", "rectangular"}, "blackman");
+    const std::string integration = section.choice("integration", {"mean", "single"}, "mean");
+    section.finish();
+    return {.first_bin = static_cast<std::uint16_t>(first),
+            .n_bins = static_cast<std::uint16_t>(n),
+            .window = window == "blackman" ? FW_WINDOW_BLACKMAN
+                      : window == "hann"   ? FW_WINDOW_HANN
+                                           : FW_WINDOW_RECT,
+            .integration = integration == "mean" ? FW_INTEGRATE_MEAN : FW_INTEGRATE_SINGLE};
+}
+
+TrainOptions read_classifier(Section section) {
+    TrainOptions options;
+    options.hidden.clear();
+    for (const double units : section.numbers("hidden", 0, Range::between(1, 1024)))
+        options.hidden.push_back(static_cast<int>(units));
+    options.batch_size = section.count("batch_size", Range::between(2, 65536), options.batch_size);
+    options.learning_rate =
+        section.number("learning_rate", Range::inside(0.0, 1.0), options.learning_rate);
+    section.finish();
+    return options;
+}
+
+std::vector<std::size_t> read_merged(Section& section, const std::vector<std::string>& classes) {
+    std::vector<std::size_t> merged;
+    if (!section.has("merged_classes")) return merged;
+    for (const std::string& name : section.texts("merged_classes")) {
+        const auto found = std::find(classes.begin(), classes.end(), name);
+        if (found == classes.end())
+            section.fail("merged_classes", format("\"{}\" is no class of this experiment", name),
+                         "use " + quoted_list(classes));
+        merged.push_back(static_cast<std::size_t>(found - classes.begin()));
+    }
+    return merged;
+}
+
+std::vector<Condition> read_conditions(Section& root, const Experiment& experiment) {
+    std::vector<Condition> conditions;
+    for (Section& section : root.sections("condition")) {
+        const int number = static_cast<int>(conditions.size()) + 1;
+        if (number >= Condition::most_conditions)
+            root.fail("condition", "too many conditions",
+                      format("describe at most {}", Condition::most_conditions - 1));
+        conditions.push_back(
+            read_condition(section, experiment.radar, experiment.nominal_height_m, number));
+        section.finish();
+        for (int i = 0; i + 1 < number; ++i)
+            if (conditions[static_cast<std::size_t>(i)].name == conditions.back().name ||
+                conditions.back().name == nominal_condition)
+                section.fail("name", "names an earlier condition too", "give it a name of its own");
+    }
+    return conditions;
+}
+
+void read_paper(Section section, Experiment& experiment) {
+    experiment.paper_reference = section.text("reference");
+    std::vector<std::string> names{std::string(nominal_condition)};
+    for (const Condition& condition : experiment.conditions) names.push_back(condition.name);
+    for (const std::string& name : names)
+        if (section.has("macro_f1_" + name))
+            experiment.paper_macro_f1[name] =
+                section.number("macro_f1_" + name, Range::between(0.0, 1.0));
+    section.finish();
+}
+
+}  // namespace
+
+Experiment read_experiment(const std::filesystem::path& file, const Catalogue& catalogue) {
+    Section root = Section::read(file);
+    Experiment experiment;
+    experiment.name = file.stem().string();
+    experiment.file = file.string();
+    experiment.source = root.source();
+    experiment.title = root.text("title");
+    experiment.question = root.text("question");
+    experiment.seed = static_cast<std::uint64_t>(root.count("seed", Range::at_least(0)));
+    experiment.radar = catalogue.radar(root, "radar");
+    experiment.nominal_height_m =
+        root.quantity("nominal_height", Unit::length, Range::inside(0.0, 100.0));
+    experiment.full = read_extent(root);
+    experiment.merged_classes = {};
+    experiment.population = read_population(root, catalogue);
+    experiment.merged_classes = read_merged(root, experiment.population.class_names());
+
+    Section training = root.section("training");
+    experiment.training = read_condition(training, experiment.radar, experiment.nominal_height_m, 0);
+    experiment.validation_share =
+        training.number("validation_share", Range::inside(0.0, 1.0), experiment.validation_share);
+    experiment.validation_title = training.text("validation_title");
+    training.finish();
+    experiment.conditions = read_conditions(root, experiment);
+    experiment.descriptor = read_descriptor(root.section("descriptor"), experiment.radar);
+    experiment.classifier = read_classifier(root.section("classifier"));
+    Section quick = root.section("quick");
+    experiment.quick = read_extent(quick);
+    quick.finish();
+    if (auto paper = root.find_section("paper")) read_paper(*paper, experiment);
+    root.finish();
+    return experiment;
+}
+
+}  // namespace specula
