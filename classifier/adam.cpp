@@ -33,10 +33,10 @@ void step_array(const Array& gradient, const StepSize<Scalar>& size, Array& mean
                 Array& parameter) {
     const auto g = gradient.array();
     mean.array() = Scalar(mean_decay) * mean.array() + Scalar(1.0 - mean_decay) * g;
-    square.array() = Scalar(square_decay) * square.array() + Scalar(1.0 - square_decay) * g.square();
-    parameter.array() -=
-        size.learning_rate * mean.array() /
-        (square.array().sqrt() * size.inverse_square_root + Scalar(epsilon));
+    square.array() =
+        Scalar(square_decay) * square.array() + Scalar(1.0 - square_decay) * g.square();
+    parameter.array() -= size.learning_rate * mean.array() /
+                         (square.array().sqrt() * size.inverse_square_root + Scalar(epsilon));
 }
 
 }  // namespace

@@ -47,8 +47,8 @@ ConditionReport evaluate(const std::string& name, const std::string& title,
     std::vector<double> confidence_per_world;
     for (const WorldOutcome& world : worlds) {
         SPECULA_EXPECT(!world.truth.empty() && world.truth.size() == world.predictions.size());
-        const Confusion confusion = confusion_of(world.truth, world.predictions.label,
-                                                 world.predictions.n_classes);
+        const Confusion confusion =
+            confusion_of(world.truth, world.predictions.label, world.predictions.n_classes);
         add(confusion, report.confusion);
         count_confidence(world, report.confidence);
         report.n_frames += static_cast<std::int64_t>(world.truth.size());

@@ -22,9 +22,10 @@ void check(const std::string& name) {
     const bool valid = !name.empty() && name.size() <= 32 && name[0] >= 'a' && name[0] <= 'z' &&
                        std::ranges::all_of(name, is_word);
     if (!valid)
-        throw InputError(format("name = {}: cannot name a C variable; use up to 32 of a-z, 0-9 and "
-                                "_, a letter first",
-                                name));
+        throw InputError(
+            format("name = {}: cannot name a C variable; use up to 32 of a-z, 0-9 and "
+                   "_, a letter first",
+                   name));
 }
 
 std::string upper(std::string text) {
@@ -36,8 +37,8 @@ std::string upper(std::string text) {
 std::string comment_line(const std::string& text) {
     std::string line;
     for (const char c : text) {
-        const bool would_mark = !line.empty() && ((line.back() == '*' && c == '/') ||
-                                                  (line.back() == '/' && c == '*'));
+        const bool would_mark =
+            !line.empty() && ((line.back() == '*' && c == '/') || (line.back() == '/' && c == '*'));
         if (would_mark) line += ' ';
         line += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
     }
@@ -101,16 +102,17 @@ std::string source_text(const Model& model, const std::string& symbol) {
         text += format("/* ({}, {}) */\n", layer.n_out, layer.n_in);
         text += array(format("weight_{}", l), layer.weight);
         text += array(format("bias_{}", l), layer.bias);
-        layers += format("            {{.n_in = {}, .n_out = {}, .weight = weight_{}, "
-                         ".bias = bias_{}}},\n",
-                         layer.n_in, layer.n_out, l, l);
+        layers += format(
+            "            {{.n_in = {}, .n_out = {}, .weight = weight_{}, "
+            ".bias = bias_{}}},\n",
+            layer.n_in, layer.n_out, l, l);
     }
-    text += format("const fw_mlp {} = {{\n    .n_layers = {},\n    .input_mean = input_mean,\n"
-                   "    .input_scale = input_scale,\n    .layer =\n        {{\n{}        }},\n}};\n\n",
-                   symbol, folded.layers.size(), layers);
+    text += format(
+        "const fw_mlp {} = {{\n    .n_layers = {},\n    .input_mean = input_mean,\n"
+        "    .input_scale = input_scale,\n    .layer =\n        {{\n{}        }},\n}};\n\n",
+        symbol, folded.layers.size(), layers);
     text += format("const char* const {}_classes[{}_N_CLASSES] = {{\n", symbol, upper(symbol));
-    for (const std::string& name : model.class_names)
-        text += "    " + string_literal(name) + ",\n";
+    for (const std::string& name : model.class_names) text += "    " + string_literal(name) + ",\n";
     return text + "};\n";
 }
 

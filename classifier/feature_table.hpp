@@ -11,13 +11,13 @@ namespace specula {
 /// Examples to learn from or to judge: what the firmware's extractor made of frames, and their
 /// truth. All vectors over examples have the same length.
 struct FeatureTable {
-    std::string extractor;                  ///< name of the firmware's extractor
+    std::string extractor;  ///< name of the firmware's extractor
     std::size_t n_features = 0;
-    std::vector<float> features;            ///< (example, feature), row-major, finite
-    std::vector<std::uint8_t> label;        ///< (example), index into class_names
-    std::vector<std::int32_t> world;        ///< (example)
-    std::vector<std::int32_t> session;      ///< (example)
-    std::vector<std::string> class_names;   ///< (class)
+    std::vector<float> features;           ///< (example, feature), row-major, finite
+    std::vector<std::uint8_t> label;       ///< (example), index into class_names
+    std::vector<std::int32_t> world;       ///< (example)
+    std::vector<std::int32_t> session;     ///< (example)
+    std::vector<std::string> class_names;  ///< (class)
 
     std::size_t size() const { return label.size(); }
     std::span<const float> row(std::size_t i) const {

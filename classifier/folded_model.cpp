@@ -55,7 +55,8 @@ fw_mlp FoldedModel::view() const& {
 }
 
 FoldedModel fold(const Model& model) {
-    FoldedModel result{.input_mean = model.input_mean, .input_scale = model.input_scale, .layers = {}};
+    FoldedModel result{
+        .input_mean = model.input_mean, .input_scale = model.input_scale, .layers = {}};
     for (const HiddenLayer& layer : model.hidden) result.layers.push_back(rounded(folded(layer)));
     result.layers.push_back({.n_in = model.output.n_in,
                              .n_out = model.output.n_out,

@@ -59,8 +59,7 @@ std::int64_t JsonField::integer() const {
 
 std::vector<float> JsonField::numbers(std::size_t n, float min) const {
     if (!value_->is_array()) fail("is not a list", "write [ ... ]");
-    if (value_->size() != n)
-        fail("has the wrong length", format("{} numbers belong here", n));
+    if (value_->size() != n) fail("has the wrong length", format("{} numbers belong here", n));
     std::vector<float> numbers;
     for (const JsonField& item : items()) {
         if (!item.value_->is_number()) item.fail("is not a number", "write a finite number");

@@ -68,8 +68,7 @@ std::vector<std::optional<double>> recall_per_class(const Confusion& confusion) 
     std::vector<std::optional<double>> recall(confusion.n);
     for (std::size_t c = 0; c < confusion.n; ++c) {
         const std::int64_t n = n_true(confusion, c);
-        if (n > 0)
-            recall[c] = static_cast<double>(confusion.at(c, c)) / static_cast<double>(n);
+        if (n > 0) recall[c] = static_cast<double>(confusion.at(c, c)) / static_cast<double>(n);
     }
     return recall;
 }

@@ -32,8 +32,8 @@ std::vector<std::optional<double>> recall_per_class(const Confusion& confusion);
 
 /// Mean over worlds with its 95 % percentile-bootstrap interval, 10,000 resamples of the worlds.
 ///
-/// The same key and number of worlds give the same resamples: intervals of several quantities, or of
-/// paired differences, rest on the same draws. One world: low = high = mean.
+/// The same key and number of worlds give the same resamples: intervals of several quantities, or
+/// of paired differences, rest on the same draws. One world: low = high = mean.
 /// @in  per_world  at least one, finite
 /// Limit: frames of a world are not independent, so only whole worlds are resampled; with few of
 /// them the interval is too narrow.

@@ -38,8 +38,8 @@ struct MlpNetwork {
     std::size_t n_hidden() const { return running.size(); }
 };
 
-/// Weights and output bias uniform in +-1/sqrt(n_in); gamma 1, beta 0, running mean 0 and variance 1.
-/// Hidden layers get no bias (see classifier/model.hpp).
+/// Weights and output bias uniform in +-1/sqrt(n_in); gamma 1, beta 0, running mean 0 and
+/// variance 1. Hidden layers get no bias (see classifier/model.hpp).
 /// @in  widths  inputs, hidden ..., classes; at least two, each > 0
 template <typename Scalar>
 MlpNetwork<Scalar> initial_network(const std::vector<int>& widths, Stream& stream);
@@ -61,9 +61,9 @@ struct MlpWorkspace {
     Matrix<Scalar> input;             ///< (feature, example)
     std::vector<std::uint8_t> label;  ///< (example)
     std::vector<Hidden> hidden;
-    Matrix<Scalar> logits;                    ///< (class, example)
-    Matrix<Scalar> logit_gradient;            ///< (class, example), d loss / d logit
-    std::vector<MlpLayer<Scalar>> gradient;   ///< (layer), d loss / d parameter
+    Matrix<Scalar> logits;                   ///< (class, example)
+    Matrix<Scalar> logit_gradient;           ///< (class, example), d loss / d logit
+    std::vector<MlpLayer<Scalar>> gradient;  ///< (layer), d loss / d parameter
 };
 
 /// Copies columns of `inputs` (feature, example) and their labels into the workspace.

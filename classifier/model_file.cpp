@@ -169,8 +169,8 @@ Model read_model(const std::filesystem::path& file) {
     try {
         root = FloatJson::parse(read_text(file));
     } catch (const FloatJson::exception& error) {
-        throw InputError(format("{}: is not valid JSON: {}; train the model again", name,
-                                error.what()));
+        throw InputError(
+            format("{}: is not valid JSON: {}; train the model again", name, error.what()));
     }
     return read_fields(JsonField(name, root));
 }

@@ -13,7 +13,8 @@ void write_model(const Model& model, const std::filesystem::path& file);
 
 /// Reads what write_model wrote, bit for bit.
 ///
-/// @out  layers fit together, class names differ, all numbers are finite, variances and scales >= 0,
+/// @out  layers fit together, class names differ, all numbers are finite, variances and scales >=
+/// 0,
 ///       and the firmware can run it
 /// Throws InputError `file: field = value: problem; remedy` for anything else, and for files that
 /// are not regular or larger than 16 MiB.

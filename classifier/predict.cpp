@@ -25,9 +25,10 @@ Predictions predict(const FoldedModel& model, const FeatureTable& rows) {
         const fw_status status = fw_mlp_run(&mlp, rows.row(i).data(), scratch.data(), scratch_bytes,
                                             logits, probabilities.data());
         if (status == FW_ERR_NONFINITE)
-            throw InputError(format("features of example {}: not finite, or too large for the "
-                                    "classifier; look at the recording",
-                                    i));
+            throw InputError(
+                format("features of example {}: not finite, or too large for the "
+                       "classifier; look at the recording",
+                       i));
         SPECULA_EXPECT(status == FW_OK);
         const std::uint16_t best = fw_argmax(logits, static_cast<std::uint16_t>(n_classes));
         result.label[i] = static_cast<std::uint8_t>(best);

@@ -11,9 +11,10 @@ namespace specula {
 /// What the firmware's network says about rows of a FeatureTable.
 struct Predictions {
     std::size_t n_classes = 0;
-    std::vector<std::uint8_t> label;  ///< (example), the class of the largest logit, the first of equals
-    std::vector<float> probability;   ///< (example), of that class, by softmax
-    std::vector<float> logits;        ///< (example, class), row-major
+    std::vector<std::uint8_t>
+        label;  ///< (example), the class of the largest logit, the first of equals
+    std::vector<float> probability;  ///< (example), of that class, by softmax
+    std::vector<float> logits;       ///< (example, class), row-major
 
     std::size_t size() const { return label.size(); }
 };

@@ -18,9 +18,9 @@ struct TrainOptions {
 /// A classifier of these rows: mini-batch Adam on the cross-entropy, in float, on one thread.
 ///
 /// The standardiser is fitted on these rows only. Every epoch shuffles the rows and parts them into
-/// batches that differ by one row at most, so that no small batch spoils the statistics. Weights and
-/// shuffles are drawn from the one stream of `key`: the same rows, options and key give the same
-/// bytes, whatever else runs. (Another compiler may round otherwise.)
+/// batches that differ by one row at most, so that no small batch spoils the statistics. Weights
+/// and shuffles are drawn from the one stream of `key`: the same rows, options and key give the
+/// same bytes, whatever else runs. (Another compiler may round otherwise.)
 /// @in   rows  at least 2, features finite, labels < class_names.size()
 /// @out  parameters finite; provenance names options, key and the last epoch's loss
 /// Throws InputError where an option is out of range, rows are too few, or training diverges.

@@ -4,7 +4,7 @@
 
 #include "sim/clutter.hpp"
 #include "sim/core/expect.hpp"
-#include "sim/trace/trace.hpp"
+#include "sim/simulate.hpp"
 
 namespace specula {
 
@@ -47,15 +47,15 @@ Sample draw_sample(const Bench& bench, const Condition& condition, const Session
 /// The board's state and the sample's place for one session.
 struct Placed {
     Pose pose;
-    double gain_db;
-    double leakage_db;
-    double leakage_rad;
+    double gain_db = 0.0;
+    BoardDrift board;
 };
 
 Placed draw_placement(const Bench& bench, const Condition& condition, const SessionId& id) {
     const SessionLaw& law = bench.population.session;
     Stream stream(key_of(bench, id, "placement", item_of(condition, id)));
-    Placed placed{.pose = condition.pose(id.session), .gain_db = 0., .leakage_db = 0., .leakage_rad = 0.};
+    Placed placed;
+    placed.pose = condition.pose(id.session);
     placed.pose.height_m += law.height_m.sample(stream);
     placed.pose.sample.about_x_rad += law.tilt_rad.sample(stream);
     placed.pose.sample.about_y_rad += law.tilt_rad.sample(stream);
@@ -63,36 +63,20 @@ Placed draw_placement(const Bench& bench, const Condition& condition, const Sess
     placed.pose.offset_y_m += law.offset_m.sample(stream);
     placed.pose.yaw_rad += law.yaw_rad.sample(stream);
     placed.gain_db = law.gain_db.sample(stream);
-    placed.leakage_db = law.leakage_db.sample(stream);
-    placed.leakage_rad = law.leakage_rad.sample(stream);
+    placed.board.leakage_db = law.leakage_db.sample(stream);
+    placed.board.leakage_rad = law.leakage_rad.sample(stream);
     return placed;
 }
 
-Channel echo_channel(const Bench& bench, const Sample& sample, const Pose& pose,
-                     const FrequencyComb& comb) {
-    const PlateView view{sample.face, sample_placement(pose), radar_placement(pose)};
-    const Geometry geometry({triangulate(view.plate, view.plate_placement)});
-    const Scatter scatter = trace(view, bench.radar, geometry, comb.last_hz());
-    return channel_of(scatter, reflector_of(sample, bench.materials), comb);
-}
-
 Channel still_channel(const Bench& bench, const Condition& condition, const SessionId& id,
-                      const Placed& placed, const FrequencyComb& comb) {
-    const Radar& radar = bench.radar;
-    Channel channel = silent_channel(static_cast<int>(radar.rx.size()), comb);
-    for (const Leakage& leak : radar.leakage) {
-        const double db = leak.level_dbm + placed.leakage_db - radar.tx_power_dbm;
-        add_path(channel, comb,
-                 {.rx = leak.rx,
-                  .length_m = 2.0 * leak.range_m,
-                  .transfer = std::polar(std::pow(10.0, db / 20.0),
-                                         leak.phase_rad + placed.leakage_rad)});
-    }
-    const double mirror = mirror_transfer(radar, bench.nominal_height_m);
+                      const BoardDrift& drift) {
+    const FrequencyComb comb = comb_of(bench.radar.chirp);
+    Channel channel = leakage_channel(bench.radar, drift);
+    const double mirror = mirror_transfer(bench.radar, bench.nominal_height_m);
     Stream world(key_of(bench, id, "world clutter", 0));
-    add_clutter(channel, comb, bench.population.world_clutter, radar, mirror, world);
+    add_clutter(channel, comb, bench.population.world_clutter, bench.radar, mirror, world);
     Stream session(key_of(bench, id, "session clutter", item_of(condition, id)));
-    add_clutter(channel, comb, bench.population.session_clutter, radar, mirror, session);
+    add_clutter(channel, comb, bench.population.session_clutter, bench.radar, mirror, session);
     return channel;
 }
 
@@ -129,10 +113,10 @@ SessionFrames simulate_session(const Bench& bench, const Condition& condition,
     SPECULA_EXPECT(id.session < condition.sessions_per_class());
     const Sample sample = draw_sample(bench, condition, id);
     const Placed placed = draw_placement(bench, condition, id);
-    const FrequencyComb comb = comb_of(bench.radar.chirp);
-    const ReceiverInput input{
-        dechirp(echo_channel(bench, sample, placed.pose, comb), bench.radar.chirp),
-        dechirp(still_channel(bench, condition, id, placed, comb), bench.radar.chirp)};
+    const Channel echo = echo_channel(bench.radar, sample, placed.pose, bench.materials);
+    const Channel still = still_channel(bench, condition, id, placed.board);
+    const ReceiverInput input{dechirp(echo, bench.radar.chirp),
+                              dechirp(still, bench.radar.chirp)};
     const ReceiverChain chain(bench.radar);
 
     SessionFrames out;

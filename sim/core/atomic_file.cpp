@@ -95,6 +95,9 @@ std::filesystem::path folder_of(const std::filesystem::path& file) {
 }  // namespace
 
 void write_file_atomically(const std::filesystem::path& file, std::string_view content) {
+    std::error_code error;
+    std::filesystem::create_directories(folder_of(file), error);
+    if (error) fail(folder_of(file), "cannot create", error.value());
     Draft draft(file);
     draft.write(content);
     draft.close_on_disk();
@@ -103,7 +106,8 @@ void write_file_atomically(const std::filesystem::path& file, std::string_view c
 }
 
 void publish_file(const std::filesystem::path& draft, const std::filesystem::path& file) {
-    const int descriptor = uninterrupted([&] { return ::open(draft.c_str(), O_RDONLY | O_CLOEXEC); });
+    const int descriptor =
+        uninterrupted([&] { return ::open(draft.c_str(), O_RDONLY | O_CLOEXEC); });
     if (descriptor == -1) fail(draft, "cannot open", errno);
     const int result = uninterrupted([&] { return ::fsync(descriptor); });
     const int error = errno;

@@ -9,7 +9,7 @@ namespace specula {
 /// the old content or the new one, never a part.
 ///
 /// The content goes to a new file beside it, to the disk, then under the name; mode 0666 less the
-/// umask. A symbolic link of that name is replaced, not followed.
+/// umask. A missing folder is made; a symbolic link of that name is replaced, not followed.
 /// Throws SystemError `path: what failed: reason`; nothing is left behind.
 void write_file_atomically(const std::filesystem::path& file, std::string_view content);
 

@@ -55,7 +55,8 @@ class CompiledModel {
     void* library_ = nullptr;
 };
 
-/// Names and provenance that would end a string, a comment or a line if they were copied as they are.
+/// Names and provenance that would end a string, a comment or a line if they were copied as they
+/// are.
 Model hostile_model() {
     Model model = random_model({12, 16, 8, 3});
     model.class_names = {"a\"); exit(1); //", "?\?/", "Gl\xc3\xa4ser\n\\"};
@@ -93,8 +94,8 @@ TEST_CASE("the C compiler reads back the host's model bit for bit", "[export]") 
     for (int i = 0; i < 20; ++i) {
         const auto features = random_features(12, stream);
         std::vector<float> host_logits(3), logits(3);
-        REQUIRE(fw_mlp_run(&expected, features.data(), scratch.data(), scratch.size() * sizeof(float),
-                           host_logits.data(), nullptr) == FW_OK);
+        REQUIRE(fw_mlp_run(&expected, features.data(), scratch.data(),
+                           scratch.size() * sizeof(float), host_logits.data(), nullptr) == FW_OK);
         REQUIRE(fw_mlp_run(&mlp, features.data(), scratch.data(), scratch.size() * sizeof(float),
                            logits.data(), nullptr) == FW_OK);
         CHECK(logits == host_logits);

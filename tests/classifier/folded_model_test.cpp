@@ -84,7 +84,9 @@ TEST_CASE("a view outlives a move of its model", "[fold]") {
 }
 
 template <typename T>
-concept lends_a_view = requires(T model) { std::forward<T>(model).view(); };
+concept lends_a_view = requires(T model) {
+    std::forward<T>(model).view();
+};
 
 TEST_CASE("a temporary lends no view", "[fold]") {
     STATIC_REQUIRE(lends_a_view<const FoldedModel&>);

@@ -10,8 +10,8 @@
 
 namespace specula {
 
-/// A training run of torch 1.13 in double: tests/reference/mlp_golden.json. Its hidden layers have a
-/// bias before the batch normalisation.
+/// A training run of torch 1.13 in double: tests/reference/mlp_golden.json. Its hidden layers have
+/// a bias before the batch normalisation.
 inline const nlohmann::json& golden() {
     static const auto json = nlohmann::json::parse(
         std::ifstream(std::string(SPECULA_SOURCE_DIR) + "/tests/reference/mlp_golden.json"));
@@ -46,8 +46,7 @@ MlpNetwork<Scalar> to_network(const nlohmann::json& state, bool with_hidden_bias
         };
         MlpLayer<Scalar> layer;
         layer.weight = to_matrix<Scalar>(state[name(0, "weight")]);
-        if (with_hidden_bias || module == 6)
-            layer.bias = to_vector<Scalar>(state[name(0, "bias")]);
+        if (with_hidden_bias || module == 6) layer.bias = to_vector<Scalar>(state[name(0, "bias")]);
         if (module < 6) {
             layer.gamma = to_vector<Scalar>(state[name(1, "weight")]);
             layer.beta = to_vector<Scalar>(state[name(1, "bias")]);

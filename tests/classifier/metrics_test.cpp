@@ -29,8 +29,7 @@ TEST_CASE("macro-F1 is the harmonic mean of precision and recall, averaged", "[m
     const double precisions[]{50.0 / 61, 20.0 / 25, 30.0 / 37};
     const double recalls[]{50.0 / 60, 20.0 / 30, 30.0 / 33};
     double expected = 0.0;
-    for (int c = 0; c < 3; ++c)
-        expected += 2.0 / (1.0 / precisions[c] + 1.0 / recalls[c]) / 3.0;
+    for (int c = 0; c < 3; ++c) expected += 2.0 / (1.0 / precisions[c] + 1.0 / recalls[c]) / 3.0;
     CHECK(macro_f1(table) == Approx(expected).epsilon(1e-15));
     const auto recall = recall_per_class(table);
     for (std::size_t c = 0; c < 3; ++c) CHECK(recall[c].value() == Approx(recalls[c]));

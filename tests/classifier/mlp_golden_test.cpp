@@ -89,8 +89,8 @@ TEST_CASE("batch normalisation cancels a bias before it: without, the same losse
         const ColumnVector<double> expected =
             with_bias.running[l].mean - seen * with_bias.layers[l].bias;
         CHECK(relative_difference(run.network.running[l].mean, expected) < 1e-8);
-        CHECK(relative_difference(run.network.running[l].variance,
-                                  with_bias.running[l].variance) < 1e-9);
+        CHECK(relative_difference(run.network.running[l].variance, with_bias.running[l].variance) <
+              1e-9);
     }
 }
 
@@ -109,7 +109,8 @@ TEST_CASE("after 200 steps without hidden biases, float answers like torch in do
     CHECK(logits < 1e-5);  // 2e-6 seen; with the biases 3e-3: Adam steps along rounding noise
 }
 
-/// Where the two differ, lets the float run's ReLUs pass what the double run's pass. Returns how many.
+/// Where the two differ, lets the float run's ReLUs pass what the double run's pass. Returns how
+/// many.
 int impose_masks(const MlpWorkspace<double>& from, MlpWorkspace<float>& to) {
     int n_changed = 0;
     for (std::size_t l = 0; l < from.hidden.size(); ++l) {
@@ -125,9 +126,9 @@ int impose_masks(const MlpWorkspace<double>& from, MlpWorkspace<float>& to) {
 }
 
 TEST_CASE("with the same ReLU masks, float answers like double after 2000 steps", "[mlp]") {
-    // Left alone, float leaves double here at step 328 and ends 0.75 away: one unit's input is -7e-8
-    // in double and +1e-7 in float, so one trains on an example that the other masks. Double does
-    // the same to itself if its parameters are rounded to float. That is the kink, not the
+    // Left alone, float leaves double here at step 328 and ends 0.75 away: one unit's input is
+    // -7e-8 in double and +1e-7 in float, so one trains on an example that the other masks. Double
+    // does the same to itself if its parameters are rounded to float. That is the kink, not the
     // arithmetic, and this test is about the arithmetic.
     GoldenRun<float> in_float(false);
     GoldenRun<double> in_double(false);

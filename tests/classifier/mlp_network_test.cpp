@@ -69,8 +69,8 @@ double distance_from_kinks(const Example& example) {
 }
 
 TEST_CASE("gradients are the slopes of the loss", "[mlp]") {
-    const auto widths = GENERATE(values<std::vector<int>>(
-        {{4, 3}, {4, 6, 3}, {5, 7, 6, 4}, {3, 4, 4, 4, 2}}));
+    const auto widths =
+        GENERATE(values<std::vector<int>>({{4, 3}, {4, 6, 3}, {5, 7, 6, 4}, {3, 4, 4, 4, 2}}));
     Example example(widths);
     example.loss();
     REQUIRE(distance_from_kinks(example) > 1e-4);

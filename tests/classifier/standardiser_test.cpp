@@ -10,7 +10,8 @@ namespace {
 
 TEST_CASE("the rows it was fitted on come out with zero mean and unit variance", "[standardiser]") {
     FeatureTable table = draw({.n_rows = 500});
-    for (std::size_t i = 0; i < table.size(); ++i) table.features[i * 4 + 2] *= 1e-6f;  // other unit
+    for (std::size_t i = 0; i < table.size(); ++i)
+        table.features[i * 4 + 2] *= 1e-6f;  // other unit
     const Standardiser standardiser = fit_standardiser(table);
     for (std::size_t f = 0; f < 4; ++f) {
         double sum = 0.0, squares = 0.0;

@@ -49,12 +49,22 @@ std::string problem_of(const FeatureTable& rows, const TrainOptions& options) {
 
 TEST_CASE("clouds that lie apart are told apart, also those not seen in training", "[train]") {
     const auto hidden = GENERATE(values<std::vector<int>>({{}, {8}, {16, 16}, {8, 8, 8}}));
-    const Model model =
-        train(draw({}), {.hidden = hidden, .epochs = 60, .batch_size = 32, .learning_rate = 0.01},
-              key);
+    const Model model = train(
+        draw({}), {.hidden = hidden, .epochs = 60, .batch_size = 32, .learning_rate = 0.01}, key);
     CAPTURE(hidden.size());
     // Clouds 6 sqrt(2) apart: a point errs with probability 2 * 1e-5.
     CHECK(f1_on(model, draw({.item = 1})) > 0.99);
+}
+
+TEST_CASE("rows may come sorted by class: every epoch shuffles them", "[train]") {
+    const FeatureTable rows = draw({});
+    std::vector<std::size_t> sorted;
+    for (std::uint8_t label = 0; label < 3; ++label)
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            if (rows.label[i] == label) sorted.push_back(i);
+    const TrainOptions options{.epochs = 60, .batch_size = 32, .learning_rate = 0.01};
+    // Batches of one class would all be normalised to the same cloud.
+    CHECK(f1_on(train(select_rows(rows, sorted), options, key), draw({.item = 1})) > 0.99);
 }
 
 TEST_CASE("clouds on top of each other are guessed at", "[train]") {

@@ -1,0 +1,40 @@
+#include "sim/simulate.hpp"
+
+#include <cmath>
+
+#include "sim/channel/path.hpp"
+#include "sim/trace/trace.hpp"
+
+namespace specula {
+
+Channel echo_channel(const Radar& radar, const Sample& sample, const Pose& pose,
+                     const Library& materials) {
+    const FrequencyComb comb = comb_of(radar.chirp);
+    const PlateView view{sample.face, sample_placement(pose), radar_placement(pose)};
+    const Geometry geometry({triangulate(view.plate, view.plate_placement)});
+    const Scatter scatter = trace(view, radar, geometry, comb.last_hz());
+    return channel_of(scatter, reflector_of(sample, materials), comb);
+}
+
+Channel leakage_channel(const Radar& radar, const BoardDrift& drift) {
+    const FrequencyComb comb = comb_of(radar.chirp);
+    Channel channel = silent_channel(static_cast<int>(radar.rx.size()), comb);
+    for (const Leakage& leak : radar.leakage) {
+        const double db = leak.level_dbm + drift.leakage_db - radar.tx_power_dbm;
+        add_path(channel, comb,
+                 {.rx = leak.rx,
+                  .length_m = 2.0 * leak.range_m,
+                  .transfer = std::polar(std::pow(10.0, db / 20.0),
+                                         leak.phase_rad + drift.leakage_rad)});
+    }
+    return channel;
+}
+
+AdcFrame simulate(const Scene& scene, const Library& materials, Stream& noise) {
+    const Channel echo = echo_channel(scene.radar, scene.sample, scene.pose, materials);
+    const Channel still = leakage_channel(scene.radar, {});
+    const ReceiverInput input{dechirp(echo, scene.radar.chirp), dechirp(still, scene.radar.chirp)};
+    return ReceiverChain(scene.radar).receive(input, {}, noise);
+}
+
+}  // namespace specula

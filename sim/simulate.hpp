@@ -1,0 +1,24 @@
+#pragma once
+
+#include "scenes/scene.hpp"
+#include "sim/adc/receiver_chain.hpp"
+
+namespace specula {
+
+/// The sample's echo at every frequency of the radar's chirp.
+Channel echo_channel(const Radar& radar, const Sample& sample, const Pose& pose,
+                     const Library& materials);
+
+/// How the board differs from its file during a session.
+struct BoardDrift {
+    double leakage_db = 0.0;
+    double leakage_rad = 0.0;
+};
+
+/// What the board couples from its TX into its RX without any scene.
+Channel leakage_channel(const Radar& radar, const BoardDrift& drift);
+
+/// The whole simulator in words: scene -> lit points -> channel -> beat -> ADC codes.
+AdcFrame simulate(const Scene& scene, const Library& materials, Stream& noise);
+
+}  // namespace specula

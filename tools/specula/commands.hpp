@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scenes/catalogue.hpp"
+
+namespace specula {
+
+/// One function per sub-command; each prints to standard output and throws on error.
+
+struct StudyArguments {
+    std::string experiment = "paper";  ///< name in the catalogue, or a file
+    std::filesystem::path out;         ///< empty: out/<experiment>
+    std::optional<std::uint64_t> seed;
+    int threads = 1;
+    bool quick = false;
+};
+void study_command(const StudyArguments& arguments, const Catalogue& catalogue);
+
+struct SimulateArguments {
+    std::filesystem::path scene;
+    std::filesystem::path out;  ///< empty: <scene>.h5 in the working folder
+    std::uint64_t seed = 1;
+};
+void simulate_command(const SimulateArguments& arguments, const Catalogue& catalogue);
+
+/// @in what  "materials", "radars" or "experiments"
+void list_command(const std::string& what, const Catalogue& catalogue);
+
+/// @in what  a name in the catalogue, a scene or experiment (.toml), or a dataset (.h5)
+void show_command(const std::string& what, const Catalogue& catalogue);
+
+/// @in shell  "bash" or "zsh"
+void completion_command(const std::string& shell, const std::vector<std::string>& commands);
+
+}  // namespace specula

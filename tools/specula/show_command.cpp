@@ -1,0 +1,137 @@
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+#include "materials/stack.hpp"
+#include "scenes/scene.hpp"
+#include "sim/core/error.hpp"
+#include "sim/core/format.hpp"
+#include "sim/dataset/dataset.hpp"
+#include "sim/dataset/fingerprint.hpp"
+#include "sim/link_budget.hpp"
+#include "tools/specula/commands.hpp"
+#include "tools/study/experiment.hpp"
+
+namespace specula {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double nominal_height_m = 0.45;
+
+double level_db(Complex value) { return 20.0 * std::log10(std::abs(value)); }
+
+void show_material(const Material& material) {
+    std::printf("%s: %s\nsource: %s\nvalid %g to %g GHz\n\n", material.name.c_str(),
+                material.title.c_str(), material.source.c_str(), material.valid_min_hz * 1e-9,
+                material.valid_max_hz * 1e-9);
+    std::printf("%8s %22s %18s %18s\n", "GHz", "eps_r", "half-space, dB", "slab 5 mm, dB");
+    for (double f_hz = 57e9; f_hz <= 64.5e9; f_hz += 1e9) {
+        const Electrics medium = material.at(f_hz);
+        const Stack half{{}, HalfSpace{medium}, f_hz};
+        const Stack slab{{{.medium = medium, .thickness_m = 0.005}}, HalfSpace{}, f_hz};
+        std::printf("%8.1f %12.4g - j%-8.3g %18.2f %18.2f%s\n", f_hz * 1e-9,
+                    medium.permittivity.real(), -medium.permittivity.imag(),
+                    level_db(stack_reflection(half, 1.0).te),
+                    level_db(stack_reflection(slab, 1.0).te),
+                    material.valid_at(f_hz) ? "" : "  extrapolated");
+    }
+}
+
+void show_radar(const Radar& radar) {
+    const Chirp& chirp = radar.chirp;
+    const LinkBudget mirror = mirror_budget(radar, nominal_height_m);
+    std::printf("%s: %s\nsource: %s\n\n", radar.name.c_str(), radar.title.c_str(),
+                radar.source.c_str());
+    std::printf("sampled            %.4g to %.4g GHz, %.4g GHz\n", chirp.frequency_hz(0) * 1e-9,
+                chirp.frequency_hz(chirp.n_samples) * 1e-9, chirp.bandwidth_hz() * 1e-9);
+    std::printf("range bin          %.4g cm, farthest range %.4g m\n", chirp.bin_m() * 100.0,
+                chirp.max_range_m());
+    std::printf("frame              %d chirps x %zu RX x %d samples\n", radar.chirps_per_frame,
+                radar.rx.size(), chirp.n_samples);
+    std::printf("thermal noise      %.3g LSB rms\n\n", mirror.noise_lsb);
+    std::printf("an infinite mirror at 45 cm falls into bin %.2f, beat %.4g kHz:\n",
+                chirp.bin_of(nominal_height_m), mirror.beat_hz * 1e-3);
+    std::printf("  transmitted      %7.1f dBm\n  received         %7.1f dBm\n", radar.tx_power_dbm,
+                mirror.received_dbm);
+    std::printf("  behind the gain  %7.1f dBm\n  IF high-pass     %7.1f dB\n",
+                mirror.received_dbm + radar.receiver.gain_db, mirror.high_pass_db);
+    std::printf("  in the ADC       %7.0f of %.0f LSB\n", mirror.amplitude_lsb,
+                radar.adc_full_scale_lsb());
+}
+
+void show_dataset(const fs::path& file) {
+    const Dataset dataset = read_dataset(file);
+    std::printf("%s: %zu frames x %d chirps x %d RX x %d samples\n", file.c_str(),
+                dataset.n_frames(), dataset.n_chirps, dataset.n_rx, dataset.n_samples);
+    std::printf("condition %s, radar %s, range bin %.4g cm, seed %llu, version %s\n",
+                dataset.origin.condition.c_str(), dataset.origin.radar.c_str(),
+                dataset.origin.bin_m * 100.0,
+                static_cast<unsigned long long>(dataset.origin.seed),
+                dataset.origin.version.c_str());
+    std::printf("fingerprint %s\n\n", fingerprint(dataset).c_str());
+    std::map<std::string, std::size_t> frames_of;
+    for (const Truth& truth : dataset.truth) ++frames_of[dataset.class_names.at(truth.label)];
+    for (const auto& [name, n] : frames_of) std::printf("%-20s %8zu frames\n", name.c_str(), n);
+    std::printf("\n%-20s %12s %12s %12s  %s\n", "truth", "least", "mean", "most", "unit");
+    for (const TruthColumn& column : truth_columns) {
+        double least = INFINITY, most = -INFINITY, sum = 0.0;
+        for (const Truth& truth : dataset.truth) {
+            least = std::min(least, truth.*column.member);
+            most = std::max(most, truth.*column.member);
+            sum += truth.*column.member;
+        }
+        std::printf("%-20s %12.5g %12.5g %12.5g  %s\n", column.name, least,
+                    sum / static_cast<double>(dataset.n_frames()), most, column.unit);
+    }
+}
+
+void show_scene(const Scene& scene) {
+    std::printf("%s, %.4g x %.4g mm, %.4g mm thick, at %.4g mm\n", scene.sample.material.c_str(),
+                scene.sample.face.size_x_m * 1e3, scene.sample.face.size_y_m * 1e3,
+                scene.sample.thickness_m * 1e3, scene.pose.height_m * 1e3);
+    std::printf("in bin %.2f of radar:\n\n", scene.radar.chirp.bin_of(scene.pose.height_m));
+    show_radar(scene.radar);
+}
+
+void show_experiment(const Experiment& experiment) {
+    std::printf("%s\n%s\n\n", experiment.title.c_str(), experiment.question.c_str());
+    std::printf("%d worlds, %zu classes, radar %s\n\n", experiment.full.worlds,
+                experiment.population.classes.size(), experiment.radar.name.c_str());
+    const auto line = [](const Condition& c) {
+        std::printf("%-14s %-52s %3d sessions x %d frames per class\n", c.name.c_str(),
+                    c.title.c_str(), c.sessions_per_class(), c.frames);
+    };
+    line(experiment.training);
+    for (const Condition& condition : experiment.conditions) line(condition);
+}
+
+}  // namespace
+
+void show_command(const std::string& what, const Catalogue& catalogue) {
+    const fs::path path = what;
+    if (path.extension() == ".h5") return show_dataset(path);
+    if (path.extension() == ".toml") {
+        Section section = Section::read(path);
+        if (section.has("training")) return show_experiment(read_experiment(path, catalogue));
+        if (section.has("chirp")) return show_radar(read_radar(path));
+        if (section.has("model")) return show_material(read_material(path));
+        return show_scene(read_scene(path, catalogue));
+    }
+    if (const Material* material = catalogue.materials.find(what)) return show_material(*material);
+    const auto radars = catalogue.radar_names(), experiments = catalogue.experiment_names();
+    if (std::find(radars.begin(), radars.end(), what) != radars.end())
+        return show_radar(read_radar(catalogue.root / "scenes/radars" / (what + ".toml")));
+    if (std::find(experiments.begin(), experiments.end(), what) != experiments.end())
+        return show_experiment(read_experiment(catalogue.experiment_file(what), catalogue));
+    std::vector<std::string> known = catalogue.materials.names();
+    known.insert(known.end(), radars.begin(), radars.end());
+    known.insert(known.end(), experiments.begin(), experiments.end());
+    const std::string near = nearest_word(what, known);
+    throw InputError(format("{}: nothing of that name; {}see specula list, or name a .toml or .h5 "
+                            "file",
+                            what, near.empty() ? "" : "did you mean " + near + "? "));
+}
+
+}  // namespace specula

@@ -1,0 +1,58 @@
+#include <cstdio>
+
+#include "sim/core/error.hpp"
+#include "sim/core/format.hpp"
+#include "tools/specula/commands.hpp"
+#include "tools/study/study.hpp"
+
+namespace specula {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+fs::path experiment_file(const std::string& wanted, const Catalogue& catalogue) {
+    if (fs::path(wanted).extension() == ".toml") return wanted;
+    const auto names = catalogue.experiment_names();
+    if (std::find(names.begin(), names.end(), wanted) == names.end()) {
+        const std::string near = nearest_word(wanted, names);
+        throw InputError(format("{}: no such experiment; {}use {} or a .toml file", wanted,
+                                near.empty() ? "" : "did you mean " + near + "? ",
+                                quoted_list(names)));
+    }
+    return catalogue.experiment_file(wanted);
+}
+
+std::string percent(const Interval& interval) {
+    return format("{:5.1f} [{:5.1f}, {:5.1f}]", 100.0 * interval.mean, 100.0 * interval.low,
+                  100.0 * interval.high);
+}
+
+}  // namespace
+
+void study_command(const StudyArguments& arguments, const Catalogue& catalogue) {
+    StudyRequest request;
+    request.experiment_file = experiment_file(arguments.experiment, catalogue);
+    request.out = arguments.out.empty() ? fs::path("out") / request.experiment_file.stem()
+                                        : arguments.out;
+    request.seed = arguments.seed;
+    request.threads = arguments.threads;
+    request.quick = arguments.quick;
+    request.command = "specula study " + request.experiment_file.stem().string() +
+                      (arguments.quick ? " --quick" : "") +
+                      (arguments.seed ? format(" --seed {}", *arguments.seed) : "");
+    const StudySummary study = run_study(request, catalogue);
+
+    std::printf("%-56s %-22s %-22s %s\n", "macro-F1, percent, with 95 % interval over worlds",
+                "all classes", study.merged_label.c_str(), "paper");
+    for (const StudyCondition& condition : study.conditions) {
+        const std::string paper =
+            condition.paper_macro_f1 ? format("{:.1f}", 100.0 * *condition.paper_macro_f1) : "-";
+        std::printf("%-56s %-22s %-22s %s\n", condition.result.title.c_str(),
+                    percent(condition.result.macro_f1).c_str(),
+                    percent(condition.result.macro_f1_merged).c_str(), paper.c_str());
+    }
+    std::printf("\nOpen %s in a browser.\n", (request.out / "report.html").c_str());
+}
+
+}  // namespace specula

@@ -1,0 +1,32 @@
+#include "tools/study/recordings.hpp"
+
+#include "classifier/extract_features.hpp"
+#include "sim/dataset/fingerprint.hpp"
+#include "sim/generate.hpp"
+#include "sim/core/version.hpp"
+
+namespace specula {
+
+Recording record(const Experiment& experiment, const Library& materials, const RunSettings& run,
+                 const Condition& condition, Progress& progress) {
+    const Bench bench{.radar = experiment.radar,
+                      .population = experiment.population,
+                      .materials = materials,
+                      .nominal_height_m = experiment.nominal_height_m,
+                      .seed = run.seed};
+    Recording recording;
+    recording.condition = condition;
+    recording.file = run.folder / "datasets" / (condition.name + ".h5");
+    {
+        Dataset simulated = generate(bench, condition, run.worlds, run.threads, &progress.done());
+        simulated.origin.experiment = experiment.source;
+        simulated.origin.version = program_version;
+        write_dataset(recording.file, simulated);
+    }
+    const Dataset dataset = read_dataset(recording.file);
+    recording.fingerprint = fingerprint(dataset);
+    recording.features = extract_features(dataset, experiment.descriptor, run.threads);
+    return recording;
+}
+
+}  // namespace specula

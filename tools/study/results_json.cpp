@@ -1,0 +1,72 @@
+#include "tools/study/results_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace specula {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json interval_json(const Interval& interval) {
+    return {{"mean", interval.mean}, {"low_95", interval.low}, {"high_95", interval.high}};
+}
+
+Json confusion_json(const Confusion& confusion) {
+    Json rows = Json::array();
+    for (std::size_t truth = 0; truth < confusion.n; ++truth) {
+        Json row = Json::array();
+        for (std::size_t predicted = 0; predicted < confusion.n; ++predicted)
+            row.push_back(confusion.at(truth, predicted));
+        rows.push_back(row);
+    }
+    return rows;
+}
+
+Json condition_json(const StudyCondition& condition) {
+    const ConditionReport& result = condition.result;
+    Json json{{"name", result.name},
+              {"title", result.title},
+              {"frames", result.n_frames},
+              {"heights_m", condition.heights_m},
+              {"macro_f1", interval_json(result.macro_f1)},
+              {"macro_f1_merged", interval_json(result.macro_f1_merged)},
+              {"mean_confidence", interval_json(result.mean_confidence)},
+              {"macro_f1_per_world", result.macro_f1_per_world},
+              {"macro_f1_merged_per_world", result.macro_f1_merged_per_world},
+              {"confusion_true_by_predicted", confusion_json(result.confusion)},
+              {"confidence_histogram",
+               {{"bins", ConfidenceHistogram::n_bins},
+                {"correct", result.confidence.correct},
+                {"wrong", result.confidence.wrong}}}};
+    json["paper_macro_f1"] =
+        condition.paper_macro_f1 ? Json(*condition.paper_macro_f1) : Json(nullptr);
+    return json;
+}
+
+}  // namespace
+
+std::string results_json(const StudySummary& summary) {
+    Json json{{"format", "specula-results"},
+              {"format_version", 1},
+              {"software_version", summary.version},
+              {"experiment", summary.experiment},
+              {"command", summary.command},
+              {"seed", summary.seed},
+              {"class_names", summary.class_names},
+              {"merged_classes", summary.merged_classes},
+              {"radar",
+               {{"name", summary.radar.name},
+                {"start_frequency_hz", summary.radar.start_frequency_hz},
+                {"slope_hz_per_s", summary.radar.slope_hz_s},
+                {"sampled_bandwidth_hz", summary.radar.sampled_bandwidth_hz},
+                {"range_bin_m", summary.radar.range_bin_m},
+                {"nominal_height_m", summary.radar.nominal_height_m},
+                {"nominal_height_bin", summary.radar.nominal_height_bin}}}};
+    for (const auto& [what, hash] : summary.fingerprints) json["fingerprints"][what] = hash;
+    for (const StudyCondition& condition : summary.conditions)
+        json["conditions"].push_back(condition_json(condition));
+    return json.dump(2) + "\n";
+}
+
+}  // namespace specula
