@@ -13,7 +13,7 @@ Channel echo_channel(const Radar& radar, const Sample& sample, const Pose& pose,
     const PlateView view{sample.face, sample_placement(pose), radar_placement(pose)};
     const Geometry geometry({triangulate(view.plate, view.plate_placement)});
     const Scatter scatter = trace(view, radar, geometry, comb.last_hz());
-    return channel_of(scatter, reflector_of(sample, materials), comb);
+    return channel_of(scatter, reflector_of(sample, materials, pose.yaw_rad), comb);
 }
 
 Channel leakage_channel(const Radar& radar, const BoardDrift& drift) {

@@ -10,8 +10,9 @@ namespace specula {
 namespace {
 
 constexpr Complex surface_factor{0.0, -1.0 / (8.0 * pi)};
-constexpr int most_polynomials = 12;
-constexpr double angular_tolerance = 1e-7;
+constexpr int fewest_polynomials = 12;  ///< tried first
+constexpr int most_polynomials = 192;   ///< beyond, plain sums are hardly slower
+constexpr double angular_tolerance = 1e-8;
 
 double wavenumber_rad_m(double frequency_hz) {
     return two_pi * frequency_hz / speed_of_light_m_s;
@@ -37,18 +38,34 @@ AngularSeries angular_series(const Reflector& reflector, double frequency_hz,
     return series;
 }
 
-/// How many polynomials carry the angle dependence of this reflector over these angles.
+/// How many polynomials carry the angle dependence of this reflector over these angles, up to
+/// `most_polynomials`; 0 when that is not enough. A thick sheet of low loss needs many.
 int polynomials_needed(const Reflector& reflector, const FrequencyComb& comb,
                        ChebyshevGrid cosines) {
-    cosines.n = most_polynomials;
-    const auto to_series = coefficient_matrix(most_polynomials);
-    int needed = 1;
-    for (const int i : {0, comb.n / 2, comb.n - 1}) {
-        const AngularSeries s = angular_series(reflector, comb.at(i), cosines, to_series);
-        for (int k = needed; k < most_polynomials; ++k)
-            if (std::abs(s.te[k]) + std::abs(s.tm[k]) > angular_tolerance) needed = k + 1;
+    for (cosines.n = fewest_polynomials; cosines.n <= most_polynomials; cosines.n *= 2) {
+        const auto to_series = coefficient_matrix(cosines.n);
+        int needed = 1;
+        for (const int i : {0, comb.n / 4, comb.n / 2, 3 * comb.n / 4, comb.n - 1}) {
+            const AngularSeries s = angular_series(reflector, comb.at(i), cosines, to_series);
+            for (int k = needed; k < cosines.n; ++k)
+                if (std::abs(s.te[static_cast<std::size_t>(k)]) +
+                        std::abs(s.tm[static_cast<std::size_t>(k)]) >
+                    angular_tolerance)
+                    needed = k + 1;
+        }
+        // A series cut too short folds its rest onto all of its terms, the last ones included.
+        if (needed <= cosines.n * 3 / 4) return needed;
     }
-    return needed;
+    return 0;
+}
+
+/// The plain sums, for what no short series in the cosine describes.
+void sum_plainly(const Scatter& scatter, const Reflector& reflector, const FrequencyComb& comb,
+                 Channel& channel) {
+    for (int rx = 0; rx < channel.n_rx; ++rx)
+        for (int i = 0; i < comb.n; ++i)
+            channel.of_rx(rx)[i] =
+                direct_sum(scatter.rx[static_cast<std::size_t>(rx)], reflector, comb.at(i));
 }
 
 }  // namespace
@@ -70,6 +87,10 @@ Channel channel_of(const Scatter& scatter, const Reflector& reflector, const Fre
                     .reference_path_m = channel.reference_path_m};
     grid.frequency_hz.n = points_for_phase(half_band_rad_m * 0.5 * (path.high - path.low));
     grid.cos_incidence.n = polynomials_needed(reflector, comb, grid.cos_incidence);
+    if (grid.cos_incidence.n == 0) {
+        sum_plainly(scatter, reflector, comb, channel);
+        return channel;
+    }
 
     std::vector<double> frequencies_hz(n_comb);
     for (std::size_t i = 0; i < n_comb; ++i) frequencies_hz[i] = comb.at(static_cast<int>(i));

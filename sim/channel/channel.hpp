@@ -39,7 +39,8 @@ struct Channel {
 /// The sum over points is made at so few frequencies as the spread of paths allows and for
 /// Chebyshev polynomials of the cosine of incidence; both are then interpolated, the reflection
 /// coefficients entering at their own frequency and angle. Error against the plain sum: below 1e-6
-/// of the largest value (tests/sim/channel).
+/// of the largest value (tests/sim/channel), 3e-6 where decimetres of plexiglass at 45 degrees send
+/// hardly anything back.
 /// @eq PHYSICS.md#surface-integral, #moments
 Channel channel_of(const Scatter& scatter, const Reflector& reflector, const FrequencyComb& comb);
 

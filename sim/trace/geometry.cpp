@@ -40,7 +40,8 @@ void occluded(RTCScene scene, const int* valid, RTCRay16& rays) {
 
 void check(const Mesh& mesh) {
     for (const Vector3& vertex : mesh.vertices_m)
-        if (!vertex.allFinite()) throw InputError("a mesh has a vertex that is not finite");
+        if (!vertex.cast<float>().allFinite())
+            throw InputError("a mesh has a vertex that is not finite in single precision");
     for (const auto& triangle : mesh.triangles)
         for (const std::uint32_t index : triangle)
             if (index >= mesh.vertices_m.size())

@@ -14,7 +14,8 @@ namespace specula {
 /// points, never how far apart they are. Safe to ask from many threads at once.
 class Geometry {
   public:
-    /// Throws InputError when a vertex is not finite or an index is out of range.
+    /// Throws InputError when a vertex is not finite in single precision or an index is out of
+    /// range.
     explicit Geometry(const std::vector<Mesh>& meshes);
     ~Geometry();
     Geometry(Geometry&&) noexcept;

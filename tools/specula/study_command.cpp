@@ -16,7 +16,7 @@ fs::path experiment_file(const std::string& wanted, const Catalogue& catalogue) 
     const auto names = catalogue.experiment_names();
     if (std::find(names.begin(), names.end(), wanted) == names.end()) {
         const std::string near = nearest_word(wanted, names);
-        throw InputError(format("{}: no such experiment; {}use {} or a .toml file", wanted,
+        throw InputError(format("\"{}\": no such experiment; {}use {} or a .toml file", wanted,
                                 near.empty() ? "" : "did you mean " + near + "? ",
                                 quoted_list(names)));
     }
@@ -38,7 +38,7 @@ void study_command(const StudyArguments& arguments, const Catalogue& catalogue) 
     request.seed = arguments.seed;
     request.threads = arguments.threads;
     request.quick = arguments.quick;
-    request.command = "specula study " + request.experiment_file.stem().string() +
+    request.command = "specula study " + arguments.experiment +
                       (arguments.quick ? " --quick" : "") +
                       (arguments.seed ? format(" --seed {}", *arguments.seed) : "");
     const StudySummary study = run_study(request, catalogue);
