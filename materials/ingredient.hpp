@@ -22,8 +22,8 @@ struct Ingredient {
 
     Electrics at(double frequency_hz) const;
 
-    /// `key = "name"`, or a table `[key]` that has `model` and the model's own keys. Refuses metals:
-    /// the mixing laws hold for grains that the field fills.
+    /// `key = "name"`, or a table `[key]` that has `model` and the model's own keys. Refuses
+    /// metals: the mixing laws hold for grains that the field fills.
     static Ingredient read(Section& section, const std::string& key, const MaterialLookup& lookup);
 };
 

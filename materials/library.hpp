@@ -14,8 +14,8 @@ namespace specula {
 /// its parts; they are read first.
 class Library {
   public:
-    /// Throws InputError when the folder is missing, a file in it is wrong, or a material is made of
-    /// itself.
+    /// Throws InputError when the folder is missing, a file in it is wrong, or a material is made
+    /// of itself.
     explicit Library(const std::filesystem::path& folder);
 
     /// Null where there is none of that name.

@@ -6,9 +6,9 @@
 namespace specula {
 
 const std::vector<std::string>& material_groups() {
-    static const std::vector<std::string> groups{"metal", "plastic", "wood",   "stone", "building",
-                                                 "glass", "water",   "tissue", "soil",  "film",
-                                                 "other"};
+    static const std::vector<std::string> groups{"metal",    "plastic", "wood",  "stone",
+                                                 "building", "glass",   "water", "tissue",
+                                                 "soil",     "film",    "other"};
     return groups;
 }
 

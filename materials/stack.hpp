@@ -12,8 +12,8 @@ namespace specula {
 /// A layer at one frequency, and the face towards the radar.
 struct Layer {
     Electrics medium;
-    double thickness_m = 0.0;  ///< > 0
-    double roughness_m = 0.0;  ///< rms height of the upper face, >= 0
+    double thickness_m = 0.0;                     ///< > 0
+    double roughness_m = 0.0;                     ///< rms height of the upper face, >= 0
     std::optional<Grained> grain = std::nullopt;  ///< used in place of `medium` where it has one
 };
 

@@ -9,7 +9,7 @@ namespace specula {
 /// the exact half-space that `fresnel` gives.
 /// @eq    PHYSICS.md#surface-impedance; Leontovich 1948
 /// Limit: conduction far above displacement current, sigma >> w eps0, and |eps mu| >> 1; metals at
-///        60 GHz agree with the exact reflection to 1e-8 dB.
+///        60 GHz agree with the exact reflection to 1e-7 dB.
 class SurfaceImpedance {
   public:
     SurfaceImpedance(const Conductive& metal, double frequency_hz);

@@ -30,7 +30,7 @@ Below last_face(Complex r, const FaceLoss& loss) {
     return {r * loss.reflect_above, (1.0 + r) * std::sqrt(loss.transmit_twice)};
 }
 
-Transmission without_grain(const Stack& stack, double cos_incidence) {
+Transmission ungrained_transmission(const Stack& stack, double cos_incidence) {
     const auto* backing = std::get_if<HalfSpace>(&stack.backing);
     if (backing == nullptr) return {0.0, 0.0};
     const double sin_squared = 1.0 - cos_incidence * cos_incidence;
@@ -74,10 +74,9 @@ StackPower power_without_grain(const Stack& stack, double cos_incidence) {
     const Reflection r = stack_reflection(stack, cos_incidence);
     const auto* backing = std::get_if<HalfSpace>(&stack.backing);
     if (backing == nullptr) return {shares(r.te, 0.0), shares(r.tm, 0.0)};
-    const Transmission t = without_grain(stack, cos_incidence);
+    const Transmission t = ungrained_transmission(stack, cos_incidence);
     const auto& [permittivity, permeability] = backing->medium;
-    const Complex q =
-        longitudinal_wavenumber(backing->medium, 1.0 - cos_incidence * cos_incidence);
+    const Complex q = longitudinal_wavenumber(backing->medium, 1.0 - cos_incidence * cos_incidence);
     const double te = (q / permeability).real() / cos_incidence;
     const double tm =
         (q / permittivity).real() / cos_incidence * std::abs(permittivity / permeability);
@@ -93,10 +92,10 @@ double share_along(const Stack& stack) {
 
 Transmission stack_transmission(const Stack& stack, double cos_incidence) {
     SPECULA_EXPECT(cos_incidence > 0.0 && cos_incidence <= 1.0);
-    if (!has_grain(stack)) return without_grain(stack, cos_incidence);
+    if (!has_grain(stack)) return ungrained_transmission(stack, cos_incidence);
     const PrincipalStacks principal = principal_stacks(stack);
-    const Transmission along = without_grain(principal.along, cos_incidence);
-    const Transmission across = without_grain(principal.across, cos_incidence);
+    const Transmission along = ungrained_transmission(principal.along, cos_incidence);
+    const Transmission across = ungrained_transmission(principal.across, cos_incidence);
     const double share = share_along(stack);
     return {share * along.te + (1.0 - share) * across.te,
             share * along.tm + (1.0 - share) * across.tm};

@@ -22,8 +22,7 @@ void collect(const Material& material, const FrequencyBand& used,
     for (const NumberOrigin& number : material.numbers)
         if (holds && !number.valid.holds(used))
             add_once(warnings, {material.name, number.key, number.valid, used});
-    for (const Ingredient& part : material.ingredients())
-        collect(*part.material, used, warnings);
+    for (const Ingredient& part : material.ingredients()) collect(*part.material, used, warnings);
 }
 
 }  // namespace

@@ -26,8 +26,9 @@ struct Sample {
     double permittivity_factor = 1.0;  ///< this piece over the library's material, real part
     double loss_factor = 1.0;          ///< the same for the loss tangent
     std::string backing = "air";       ///< "air", "metal" (perfect), or a material in contact
-    std::vector<SampleLayer> layers{};  ///< the one facing the radar first; empty: all is `material`
-    double grain_rad = 0.0;            ///< from the sample's y axis to the grain, about its normal
+    std::vector<SampleLayer>
+        layers{};            ///< the one facing the radar first; empty: all is `material`
+    double grain_rad = 0.0;  ///< from the sample's y axis to the grain, about its normal
 
     /// Its layers, be there one or several.
     std::vector<SampleLayer> all_layers() const;

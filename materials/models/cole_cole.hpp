@@ -40,17 +40,17 @@ struct ColeCole {
     /// Keys: high_permittivity >= 1, conductivity_s_per_m >= 0 (default 0), and one to eight
     /// [[pole]] with strength, relaxation time and spread (default 0).
     static ColeCole read(Section& section) {
-        ColeCole model{.high_permittivity =
-                           section.number("high_permittivity", Range::at_least(1.0)),
-                       .poles = {},
-                       .conductivity_s_m = section.quantity(
-                           "conductivity", Unit::conductivity, Range::at_least(0.0), 0.0)};
+        ColeCole model{
+            .high_permittivity = section.number("high_permittivity", Range::at_least(1.0)),
+            .poles = {},
+            .conductivity_s_m =
+                section.quantity("conductivity", Unit::conductivity, Range::at_least(0.0), 0.0)};
         for (Section& pole : section.sections("pole")) {
             model.poles.push_back(
                 {.strength = pole.number("strength", Range::above(0.0)),
                  .relaxation_s = pole.quantity("relaxation", Unit::time, Range::above(0.0)),
-                 .spread =
-                     pole.number("spread", Range{.min = 0.0, .max = 1.0, .max_excluded = true}, 0.0)});
+                 .spread = pole.number("spread",
+                                       Range{.min = 0.0, .max = 1.0, .max_excluded = true}, 0.0)});
             pole.finish();
         }
         if (model.poles.empty() || model.poles.size() > 8)

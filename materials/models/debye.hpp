@@ -19,8 +19,8 @@ struct Debye {
 
     Electrics at(double frequency_hz) const {
         const double omega = two_pi * frequency_hz;
-        const Complex relaxing = (static_permittivity - high_permittivity) /
-                                 Complex(1.0, omega * relaxation_s);
+        const Complex relaxing =
+            (static_permittivity - high_permittivity) / Complex(1.0, omega * relaxation_s);
         const double ionic = conductivity_s_m / (omega * vacuum_permittivity_f_m);
         return {high_permittivity + relaxing - Complex(0.0, ionic), 1.0};
     }
@@ -29,8 +29,7 @@ struct Debye {
     /// conductivity_s_per_m >= 0 (default 0).
     static Debye read(Section& section) {
         const double high = section.number("high_permittivity", Range::at_least(1.0));
-        return {.static_permittivity =
-                    section.number("static_permittivity", Range::at_least(high)),
+        return {.static_permittivity = section.number("static_permittivity", Range::at_least(high)),
                 .high_permittivity = high,
                 .relaxation_s = section.quantity("relaxation", Unit::time, Range::above(0.0)),
                 .conductivity_s_m = section.quantity("conductivity", Unit::conductivity,

@@ -33,13 +33,13 @@ struct DoubleDebye {
         const double middle = section.number("middle_permittivity", Range::at_least(high));
         const double slow_hz =
             section.quantity("slow_relaxation", Unit::frequency, Range::above(0.0));
-        return {.static_permittivity =
-                    section.number("static_permittivity", Range::at_least(middle)),
-                .middle_permittivity = middle,
-                .high_permittivity = high,
-                .slow_relaxation_hz = slow_hz,
-                .fast_relaxation_hz =
-                    section.quantity("fast_relaxation", Unit::frequency, Range::above(slow_hz))};
+        return {
+            .static_permittivity = section.number("static_permittivity", Range::at_least(middle)),
+            .middle_permittivity = middle,
+            .high_permittivity = high,
+            .slow_relaxation_hz = slow_hz,
+            .fast_relaxation_hz =
+                section.quantity("fast_relaxation", Unit::frequency, Range::above(slow_hz))};
     }
 };
 

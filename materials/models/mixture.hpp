@@ -39,8 +39,7 @@ struct Mixture {
                                                   : MixingLaw::lichtenecker,
                 .host = Ingredient::read(section, "host", lookup),
                 .inclusion = Ingredient::read(section, "inclusion", lookup),
-                .inclusion_fraction =
-                    section.number("volume_fraction", Range::between(0.0, 1.0))};
+                .inclusion_fraction = section.number("volume_fraction", Range::between(0.0, 1.0))};
     }
 };
 

@@ -23,8 +23,7 @@ struct Tabulated {
         if (above == frequency_hz.begin()) return {permittivity.front(), 1.0};
         if (above == frequency_hz.end()) return {permittivity.back(), 1.0};
         const auto i = static_cast<std::size_t>(above - frequency_hz.begin());
-        const double part =
-            (f_hz - frequency_hz[i - 1]) / (frequency_hz[i] - frequency_hz[i - 1]);
+        const double part = (f_hz - frequency_hz[i - 1]) / (frequency_hz[i] - frequency_hz[i - 1]);
         return {permittivity[i - 1] + part * (permittivity[i] - permittivity[i - 1]), 1.0};
     }
 

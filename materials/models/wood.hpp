@@ -44,11 +44,11 @@ struct Wood {
             {.host = 1.0,
              .inclusion = Water{temperature_k}.at(frequency_hz).permittivity,
              .inclusion_fraction = pore_share > 0.0 ? std::min(free / pore_share, 1.0) : 0.0});
-        return {.along = {wet_share * wet_wall + pore_share * pore, 1.0},
-                .across = {lichtenecker({.host = pore,
-                                         .inclusion = wet_wall,
-                                         .inclusion_fraction = wet_share}),
-                           1.0}};
+        return {
+            .along = {wet_share * wet_wall + pore_share * pore, 1.0},
+            .across = {lichtenecker(
+                           {.host = pore, .inclusion = wet_wall, .inclusion_fraction = wet_share}),
+                       1.0}};
     }
     /// For whom the grain does not matter: the mean of both.
     Electrics at(double frequency_hz) const {

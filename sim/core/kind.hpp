@@ -32,7 +32,8 @@ Family read_kind(Section& section, const std::string& key, const Context&... con
     const std::string wanted = section.choice(key, kinds_of<Family>());
     return [&]<typename... Members>(std::type_identity<std::variant<Members...>>) {
         Family result;
-        (void)((Members::kind == wanted && (result = read_member<Members>(section, context...), true)) ||
+        (void)((Members::kind == wanted &&
+                (result = read_member<Members>(section, context...), true)) ||
                ...);
         return result;
     }(std::type_identity<Family>{});

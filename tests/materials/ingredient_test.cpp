@@ -41,8 +41,8 @@ TEST_CASE("a material made of itself is refused with the whole circle", "[ingred
               ":5: host = \"a\": makes the material a part of itself: a -> b -> c -> a; "
               "name one that does not contain this one");
     folder.with("a.toml", mixture("a", "a"));
-    CHECK(message_of([&] { return Library(folder.path()); })
-              .find("part of itself: a -> a;") != std::string::npos);
+    CHECK(message_of([&] { return Library(folder.path()); }).find("part of itself: a -> a;") !=
+          std::string::npos);
 }
 
 TEST_CASE("one material may be a part of many, and twice of one", "[ingredient]") {
@@ -58,41 +58,46 @@ TEST_CASE("an unknown part is refused, and the nearest name offered", "[ingredie
     folder.with("a.toml", mixture("limestone", "watr"));
     folder.with("limestone.toml", constant("7"));
     folder.with("water.toml", constant("9"));
-    CHECK(message_of([&] { return Library(folder.path()); })
-              .find("a.toml:6: inclusion = \"watr\": is not known; did you mean \"water\"?") !=
+    CHECK(message_of([&] {
+              return Library(folder.path());
+          }).find("a.toml:6: inclusion = \"watr\": is not known; did you mean \"water\"?") !=
           std::string::npos);
 }
 
 TEST_CASE("a part may be described in place, and have parts itself", "[ingredient]") {
     const MadeUpFolder folder;
     folder.with("x.toml", constant("1"));
-    folder.with("a.toml", head + "model = 'mixture'\nlaw = 'lichtenecker'\ninclusion = 'x'\n"
-                                 "volume_fraction = 0.5\n"
-                                 "[host]\nmodel = 'mixture'\nlaw = 'lichtenecker'\n"
-                                 "inclusion = 'x'\nvolume_fraction = 0.5\n"
-                                 "[host.host]\nmodel = 'constant'\npermittivity = 16\n"
-                                 "loss_tangent = 0\n");
+    folder.with("a.toml", head +
+                              "model = 'mixture'\nlaw = 'lichtenecker'\ninclusion = 'x'\n"
+                              "volume_fraction = 0.5\n"
+                              "[host]\nmodel = 'mixture'\nlaw = 'lichtenecker'\n"
+                              "inclusion = 'x'\nvolume_fraction = 0.5\n"
+                              "[host.host]\nmodel = 'constant'\npermittivity = 16\n"
+                              "loss_tangent = 0\n");
     CHECK(Library(folder.path()).find("a")->at(60e9).permittivity.real() == Approx(2.0));
 }
 
 TEST_CASE("a key that no part knows is refused where it stands", "[ingredient]") {
     const MadeUpFolder folder;
     folder.with("x.toml", constant("1"));
-    folder.with("a.toml", head + "model = 'mixture'\ninclusion = 'x'\nvolume_fraction = 0.5\n"
-                                 "[host]\nmodel = 'constant'\npermittivity = 16\n"
-                                 "loss_tangent = 0\nlos = 1\n");
+    folder.with("a.toml", head +
+                              "model = 'mixture'\ninclusion = 'x'\nvolume_fraction = 0.5\n"
+                              "[host]\nmodel = 'constant'\npermittivity = 16\n"
+                              "loss_tangent = 0\nlos = 1\n");
     CHECK(message_of([&] { return Library(folder.path()); }).find("a.toml:11: host.los = 1:") !=
           std::string::npos);
 }
 
 TEST_CASE("a metal is no part of a mixture", "[ingredient]") {
     const MadeUpFolder folder;
-    folder.with("iron.toml", head + "model = 'conductive'\nconductivity_s_per_m = 1e7\n"
-                                    "permeability = 1\n");
+    folder.with("iron.toml", head +
+                                 "model = 'conductive'\nconductivity_s_per_m = 1e7\n"
+                                 "permeability = 1\n");
     folder.with("a.toml", mixture("x", "iron"));
     folder.with("x.toml", constant("2"));
-    CHECK(message_of([&] { return Library(folder.path()); })
-              .find("inclusion = \"iron\": is a metal") != std::string::npos);
+    CHECK(message_of([&] {
+              return Library(folder.path());
+          }).find("inclusion = \"iron\": is a metal") != std::string::npos);
 }
 
 TEST_CASE("a file outside the library may name what is in it", "[ingredient]") {
@@ -101,9 +106,9 @@ TEST_CASE("a file outside the library may name what is in it", "[ingredient]") {
     const Library library(folder / "library");
     const auto file = folder.with("mine.toml", mixture("x", "x"));
     CHECK(read_material(file, library.lookup()).at(60e9).permittivity.real() == Approx(9.0));
-    CHECK(message_of([&] { return read_material(file); })
-              .find("names another material, and there is no library at hand") !=
-          std::string::npos);
+    CHECK(message_of([&] {
+              return read_material(file);
+          }).find("names another material, and there is no library at hand") != std::string::npos);
 }
 
 TEST_CASE("a mixture is as valid as the least valid of its parts", "[ingredient]") {

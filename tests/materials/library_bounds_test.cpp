@@ -39,8 +39,8 @@ TEST_CASE("no material of the library gives power away", "[library]") {
                     stack = {{{.medium = medium, .thickness_m = thickness_m}}, HalfSpace{}, f_hz};
                 const StackPower power = stack_power(stack, cosine);
                 for (const PowerShares& shares : {power.te, power.tm}) {
-                    least = std::min({least, shares.reflected, shares.transmitted,
-                                      shares.absorbed});
+                    least =
+                        std::min({least, shares.reflected, shares.transmitted, shares.absorbed});
                     most = std::max({most, shares.reflected, shares.transmitted, shares.absorbed});
                 }
             }
@@ -67,8 +67,7 @@ TEST_CASE("every material says what it is, where its numbers come from and where
 
 TEST_CASE("every file says how firm its numbers are", "[library]") {
     for (const std::string& name : library().names()) {
-        Section section =
-            Section::read(SPECULA_SOURCE_DIR "/materials/library/" + name + ".toml");
+        Section section = Section::read(SPECULA_SOURCE_DIR "/materials/library/" + name + ".toml");
         INFO(name);
         CHECK(section.has("evidence"));
         CHECK(section.has("group"));
@@ -109,8 +108,7 @@ TEST_CASE("water, skin and muscle of the library are those of the literature",
         const auto& inp = point.at("inp");
         if (inp.contains("T_C") && inp.at("T_C") != 20.0) continue;
         const Complex expected = complex_of(point.at("expect").at("eps"));
-        const Complex found =
-            library().find(inp.at("medium"))->at(inp.at("f_hz")).permittivity;
+        const Complex found = library().find(inp.at("medium"))->at(inp.at("f_hz")).permittivity;
         CHECK(std::abs(found - expected) < 1e-6 * std::abs(expected));
     }
 }

@@ -49,8 +49,8 @@ TEST_CASE("roughness between media that hardly differ hardly shows in transmissi
     const Electrics thin{1.0}, like_it{1.0001}, dense{4.0};
     CHECK(face_loss({thin, like_it, 1e-4}, 1257.0, 0.0).transmit_twice > 1.0 - 1e-10);
     const FaceLoss loss = face_loss({thin, dense, 1e-4}, 1257.0, 0.0);
-    CHECK(loss.transmit_twice > loss.reflect_above);   // a phase of 2 (n - 1) against twice 1
-    CHECK(loss.reflect_above > loss.reflect_below);    // against twice n
+    CHECK(loss.transmit_twice > loss.reflect_above);  // a phase of 2 (n - 1) against twice 1
+    CHECK(loss.reflect_above > loss.reflect_below);   // against twice n
 }
 
 }  // namespace

@@ -34,8 +34,10 @@ TEST_CASE("metals reflect as the reference's, exactly and by their impedance",
         const double db = tolerance.at("R_dB");
         CHECK(std::abs(decibel(exact.te) - expect.at("R_TE_dB").get<double>()) < db);
         CHECK(std::abs(decibel(exact.tm) - expect.at("R_TM_dB").get<double>()) < db);
-        CHECK(std::abs(decibel(leontovich.te) - expect.at("R_TE_leontovich_dB").get<double>()) < db);
-        CHECK(std::abs(decibel(leontovich.tm) - expect.at("R_TM_leontovich_dB").get<double>()) < db);
+        CHECK(std::abs(decibel(leontovich.te) - expect.at("R_TE_leontovich_dB").get<double>()) <
+              db);
+        CHECK(std::abs(decibel(leontovich.tm) - expect.at("R_TM_leontovich_dB").get<double>()) <
+              db);
         const double relative = tolerance.at("skin_depth_rel");
         CHECK(impedance.skin_depth_m() ==
               Approx(expect.at("skin_depth_m").get<double>()).epsilon(relative));

@@ -91,10 +91,12 @@ Complex matrix_transmission(const Stack& stack, double cosine, bool te) {
 TEST_CASE("recursion and characteristic matrix agree on what gets through", "[transmission]") {
     const std::vector<Stack> stacks{
         {{{{Complex(2.73, -0.12)}, 0.0125}, {{1.0}, 0.05}, {{Complex(2.73, -0.12)}, 0.0125}},
-         HalfSpace{}, 60e9},
+         HalfSpace{},
+         60e9},
         {{{{Complex(2.0, -0.113)}, 0.018}}, HalfSpace{{Complex(5.24, -0.34)}}, 61e9},
         {{{{Complex(3.0, -0.3), 1.4}, 0.002}, {{Complex(9.0, -0.1), 2.0}, 0.001}},
-         HalfSpace{{Complex(4.0, -1.0), 1.2}}, 58e9},
+         HalfSpace{{Complex(4.0, -1.0), 1.2}},
+         58e9},
         {{}, HalfSpace{{Complex(7.5, -0.15)}}, 60e9}};
     for (const Stack& stack : stacks)
         for (const double cosine : {1.0, 0.8, 0.5, 0.1}) {
@@ -105,8 +107,8 @@ TEST_CASE("recursion and characteristic matrix agree on what gets through", "[tr
 }
 
 TEST_CASE("both polarisations are one at normal incidence", "[transmission]") {
-    const Stack stack{{{{Complex(2.6, -0.026)}, 0.005}, {{1.0}, 0.002}},
-                      HalfSpace{{Complex(5.24, -0.34)}}, 60e9};
+    const Stack stack{
+        {{{Complex(2.6, -0.026)}, 0.005}, {{1.0}, 0.002}}, HalfSpace{{Complex(5.24, -0.34)}}, 60e9};
     const Transmission t = stack_transmission(stack, 1.0);
     CHECK(std::abs(t.te - t.tm) < 1e-14);
 }
@@ -130,7 +132,8 @@ TEST_CASE("power is neither made nor lost in a lossless stack", "[transmission]"
 }
 
 TEST_CASE("a slab lets as much through from one side as from the other", "[transmission]") {
-    std::vector<Layer> layers{{{Complex(2.6, -0.026)}, 0.005}, {{Complex(7.5, -0.15)}, 0.003},
+    std::vector<Layer> layers{{{Complex(2.6, -0.026)}, 0.005},
+                              {{Complex(7.5, -0.15)}, 0.003},
                               {{Complex(2.0, -0.3)}, 0.011}};
     const std::vector<Layer> turned(layers.rbegin(), layers.rend());
     for (const double cosine : {1.0, 0.6}) {

@@ -59,10 +59,12 @@ TEST_CASE("a number without a band has that of its file", "[validity]") {
 
 TEST_CASE("the source of a number that the file does not have is refused", "[validity]") {
     const MadeUpFolder folder;
-    const auto file = folder.with(
-        "iron.toml", edited(number(""), "key = 'permeability'", "key = 'permitivity'"));
-    CHECK(message_of([&] { return read_material(file); }).find(
-              ":8: number.key = \"permitivity\": is not a key of this file") != std::string::npos);
+    const auto file =
+        folder.with("iron.toml", edited(number(""), "key = 'permeability'", "key = 'permitivity'"));
+    CHECK(message_of([&] {
+              return read_material(file);
+          }).find(":8: number.key = \"permitivity\": is not a key of this file") !=
+          std::string::npos);
 }
 
 TEST_CASE("whoever does not say where numbers come from is estimating", "[validity]") {

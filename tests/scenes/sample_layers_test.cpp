@@ -14,13 +14,13 @@ const Catalogue& catalogue() {
 }
 
 const std::string rusty =
-    "radar = 'iwrl6432boost'\n"                            // 1
-    "[sample]\n"                                           // 2
-    "size_mm = [300, 300]\n"                               // 3
-    "[[sample.layer]]\n"                                   // 4
-    "material = 'rust'\n"                                  // 5
-    "thickness_um = 30\n"                                  // 6
-    "roughness_um = 10\n"                                  // 7
+    "radar = 'iwrl6432boost'\n"                                // 1
+    "[sample]\n"                                               // 2
+    "size_mm = [300, 300]\n"                                   // 3
+    "[[sample.layer]]\n"                                       // 4
+    "material = 'rust'\n"                                      // 5
+    "thickness_um = 30\n"                                      // 6
+    "roughness_um = 10\n"                                      // 7
     "[[sample.layer]]\nmaterial = 'iron'\nthickness_mm = 3\n"  // 8 to 10
     "[geometry]\nheight_mm = 450\n";
 
@@ -83,15 +83,16 @@ TEST_CASE("a layer's mistakes are refused where they stand", "[sample]") {
               .rfind("x.toml:6: sample.layer.thickness_um = 0: is out of range", 0) == 0);
     CHECK(problem(edited(rusty, "'rust'", "'trust'"))
               .rfind("x.toml:5: sample.layer.material = \"trust\": is not known; "
-                     "did you mean \"rust\"?", 0) == 0);
+                     "did you mean \"rust\"?",
+                     0) == 0);
     CHECK(problem(edited(rusty, "roughness_um = 10", "rougness_um = 10"))
-              .rfind("x.toml:7: sample.layer.rougness_um = 10: is not a key of this table", 0) == 0);
+              .rfind("x.toml:7: sample.layer.rougness_um = 10: is not a key of this table", 0) ==
+          0);
 }
 
 TEST_CASE("sixteen layers are enough", "[sample]") {
     std::string many = "radar = 'iwrl6432boost'\n[sample]\nsize_mm = [300, 300]\n";
-    for (int i = 0; i < 17; ++i)
-        many += "[[sample.layer]]\nmaterial = 'wood'\nthickness_mm = 1\n";
+    for (int i = 0; i < 17; ++i) many += "[[sample.layer]]\nmaterial = 'wood'\nthickness_mm = 1\n";
     CHECK(problem(many + "[geometry]\nheight_mm = 450\n")
               .find("17 layers; describe 1 to 16 of them") != std::string::npos);
 }

@@ -23,7 +23,8 @@ double floor_db(const Curves& curves, const Curves& more = {}) {
     double least = 0.0;
     for (const Curves* each : {&curves, &more})
         for (const ReflectionCurve& curve : *each)
-            least = std::min(least, *std::min_element(curve.level_db.begin(), curve.level_db.end()));
+            least =
+                std::min(least, *std::min_element(curve.level_db.begin(), curve.level_db.end()));
     if (least <= 0.95 * lowest_db) return lowest_db;
     if (least < -2.0) return 5.0 * std::floor(1.02 * least / 5.0);
     double step = 1.0;  // a metal's level is a matter of hundredths
@@ -131,9 +132,9 @@ std::string frequency_panel(const ReflectionCurves& content) {
 }
 
 std::string angle_panel(const ReflectionCurves& content) {
-    std::string text = format(
-        "unset label\nunset object\nset xrange [0:90]\nset xtics 15\nset yrange [{}:0]\n",
-        floor_db(content.over_angle, content.beside));
+    std::string text =
+        format("unset label\nunset object\nset xrange [0:90]\nset xtics 15\nset yrange [{}:0]\n",
+               floor_db(content.over_angle, content.beside));
     if (content.brewster_deg)
         text += format(
                     "set arrow from {0}, graph 0 to {0}, graph 1 nohead back linewidth 1 "

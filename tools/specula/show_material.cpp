@@ -31,9 +31,8 @@ std::string text_of(const Electrics& medium) {
 
 void show_origin(const Material& material) {
     std::printf("%s: %s\n", material.name.c_str(), material.title.c_str());
-    std::printf("%s: %s\nvalid from %s\n",
-                std::string(evidence_name(material.evidence)).c_str(), material.source.c_str(),
-                material.valid().text().c_str());
+    std::printf("%s: %s\nvalid from %s\n", std::string(evidence_name(material.evidence)).c_str(),
+                material.source.c_str(), material.valid().text().c_str());
     for (const NumberOrigin& number : material.numbers)
         std::printf("  %s, %s: %s\n", number.key.c_str(),
                     std::string(evidence_name(number.evidence)).c_str(), number.source.c_str());

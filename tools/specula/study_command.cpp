@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cctype>
 #include <cstdio>
 
 #include "sim/core/error.hpp"
@@ -23,6 +25,17 @@ fs::path experiment_file(const std::string& wanted, const Catalogue& catalogue) 
     return catalogue.experiment_file(wanted);
 }
 
+/// A word as a shell takes it.
+std::string shell_word(const std::string& text) {
+    const auto plain = [](unsigned char c) {
+        return std::isalnum(c) || c >= 128 || std::string_view("_-./+,:@%").find(static_cast<char>(c)) != std::string_view::npos;
+    };
+    if (!text.empty() && std::all_of(text.begin(), text.end(), plain)) return text;
+    std::string word = "'";
+    for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
+    return word + "'";
+}
+
 std::string percent(const Interval& interval) {
     return format("{:5.1f} [{:5.1f}, {:5.1f}]", 100.0 * interval.mean, 100.0 * interval.low,
                   100.0 * interval.high);
@@ -38,7 +51,7 @@ void study_command(const StudyArguments& arguments, const Catalogue& catalogue) 
     request.seed = arguments.seed;
     request.threads = arguments.threads;
     request.quick = arguments.quick;
-    request.command = "specula study " + arguments.experiment +
+    request.command = "specula study " + shell_word(arguments.experiment) +
                       (arguments.quick ? " --quick" : "") +
                       (arguments.seed ? format(" --seed {}", *arguments.seed) : "");
     const StudySummary study = run_study(request, catalogue);

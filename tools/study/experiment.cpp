@@ -19,7 +19,12 @@ fw_extract_config read_descriptor(Section section, const Radar& radar) {
     const int last_bin = radar.chirp.n_samples / 2;
     const int first =
         section.count("first_bin", Range::between(0, last_bin - 1), FW_DEFAULT_FIRST_BIN);
-    const int n = section.count("n_bins", Range::between(1, last_bin - first), FW_DEFAULT_N_BINS);
+    const int n = section.count("n_bins", Range::between(1, last_bin), FW_DEFAULT_N_BINS);
+    if (first + n > last_bin)
+        section.fail(section.has("n_bins") ? "n_bins" : "first_bin",
+                     format("bins {} to {} run beyond the last, {}", first, first + n - 1,
+                            last_bin - 1),
+                     "begin lower, or take fewer (n_bins)");
     const std::string name =
         section.choice("window", {"blackman", "hann", "rectangular"}, "blackman");
     const fw_window window = name == "blackman" ? FW_WINDOW_BLACKMAN

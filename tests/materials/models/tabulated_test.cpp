@@ -33,8 +33,9 @@ TEST_CASE("a table that does not rise, or whose lists differ in length, is refus
     CHECK(message_of([] { return read("frequency_ghz = [60, 60]\n"); }) ==
           "x.toml:1: frequency_ghz = [60, 60]: is not a rising list; "
           "give two frequencies at least, the lowest first");
-    CHECK(message_of([] { return read("frequency_ghz = [50, 60]\npermittivity = [2.0]\n"); })
-              .rfind("x.toml:2: permittivity = [2", 0) == 0);
+    CHECK(message_of([] {
+              return read("frequency_ghz = [50, 60]\npermittivity = [2.0]\n");
+          }).rfind("x.toml:2: permittivity = [2", 0) == 0);
 }
 
 TEST_CASE("a file may not call valid what lies outside its table", "[tabulated]") {

@@ -12,8 +12,9 @@ double loss_tangent(const Electrics& medium) {
 
 TEST_CASE("dry wood of 450 kg/m3 has the permittivities that were measured", "[wood]") {
     const Grained dry = Wood{.dry_density_kg_m3 = 450.0, .moisture = 0.0}.grained(60e9);
-    CHECK(std::abs(dry.along.permittivity - Complex(1.90, -0.075)) < 1e-12);  // 0.3 walls of 4-j0.25
-    CHECK(dry.across.permittivity.real() == Approx(1.516).margin(1e-3));      // 4^0.3
+    CHECK(std::abs(dry.along.permittivity - Complex(1.90, -0.075)) <
+          1e-12);                                                         // 0.3 walls of 4-j0.25
+    CHECK(dry.across.permittivity.real() == Approx(1.516).margin(1e-3));  // 4^0.3
 }
 
 TEST_CASE("a field along the grain sees more wood than one across", "[wood]") {
@@ -22,8 +23,8 @@ TEST_CASE("a field along the grain sees more wood than one across", "[wood]") {
             const Wood wood{.dry_density_kg_m3 = density, .moisture = moisture};
             const Grained medium = wood.grained(60e9);
             CHECK(medium.along.permittivity.real() > medium.across.permittivity.real());
-            CHECK(std::abs(wood.at(60e9).permittivity - 0.5 * (medium.along.permittivity +
-                                                              medium.across.permittivity)) < 1e-15);
+            CHECK(std::abs(wood.at(60e9).permittivity -
+                           0.5 * (medium.along.permittivity + medium.across.permittivity)) < 1e-15);
         }
 }
 

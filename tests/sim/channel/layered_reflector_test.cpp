@@ -23,7 +23,9 @@ Sample rusty(double rust_m) {
 }
 
 TEST_CASE("layers come in the order of the sample, with their own faces", "[channel]") {
-    const Sample sample{.material = "plexiglass", .face = {}, .backing = "chipboard",
+    const Sample sample{.material = "plexiglass",
+                        .face = {},
+                        .backing = "chipboard",
                         .layers = {{"plexiglass", 0.005, 1e-6}, {"air", 0.002}}};
     const Stack stack = reflector_of(sample, library())(frequency_hz);
     REQUIRE(stack.layers.size() == 2);
@@ -37,8 +39,12 @@ TEST_CASE("layers come in the order of the sample, with their own faces", "[chan
 
 TEST_CASE("one layer is the same reflector, bit by bit, as a sample of that material",
           "[channel]") {
-    const Sample plain{.material = "limestone", .face = {}, .thickness_m = 0.02,
-                       .roughness_m = 2e-5, .permittivity_factor = 1.03, .loss_factor = 0.8};
+    const Sample plain{.material = "limestone",
+                       .face = {},
+                       .thickness_m = 0.02,
+                       .roughness_m = 2e-5,
+                       .permittivity_factor = 1.03,
+                       .loss_factor = 0.8};
     Sample layered = plain;
     layered.layers = {{"limestone", 0.02, 2e-5}};
     for (double f_hz = 57e9; f_hz < 64e9; f_hz += 0.7e9)
@@ -50,11 +56,12 @@ TEST_CASE("one layer is the same reflector, bit by bit, as a sample of that mate
         }
 }
 
-TEST_CASE("rust turns the phase of iron by its thickness and takes next to nothing",
-          "[channel]") {
-    const Complex bare = stack_reflection(reflector_of(rusty(1e-12), library())(frequency_hz), 1.0).te;
+TEST_CASE("rust turns the phase of iron by its thickness and takes next to nothing", "[channel]") {
+    const Complex bare =
+        stack_reflection(reflector_of(rusty(1e-12), library())(frequency_hz), 1.0).te;
     for (const double rust_m : {10e-6, 30e-6, 80e-6}) {
-        const Complex coated = stack_reflection(reflector_of(rusty(rust_m), library())(frequency_hz), 1.0).te;
+        const Complex coated =
+            stack_reflection(reflector_of(rusty(rust_m), library())(frequency_hz), 1.0).te;
         // A thin film on a mirror is a mirror that far behind its face, whatever the film is.
         const double turn_deg = 2.0 * 360.0 * rust_m * frequency_hz / speed_of_light_m_s;
         CHECK(degrees_between(coated, bare) == Approx(turn_deg).epsilon(0.02));
@@ -64,7 +71,9 @@ TEST_CASE("rust turns the phase of iron by its thickness and takes next to nothi
 
 TEST_CASE("an air gap under plexiglass moves the echo by decibels", "[channel]") {
     const auto level = [&](double gap_m) {
-        const Sample sample{.material = "plexiglass", .face = {}, .backing = "chipboard",
+        const Sample sample{.material = "plexiglass",
+                            .face = {},
+                            .backing = "chipboard",
                             .layers = {{"plexiglass", 0.005}, {"air", gap_m}}};
         return std::abs(stack_reflection(reflector_of(sample, library())(frequency_hz), 1.0).te);
     };
@@ -88,7 +97,8 @@ TEST_CASE("a board turned by a quarter shows its other grain, by its own angle o
 }
 
 TEST_CASE("a turned veneer has along and across exchanged", "[channel]") {
-    const Sample plywood{.material = "pine", .face = {},
+    const Sample plywood{.material = "pine",
+                         .face = {},
                          .layers = {{"pine", 0.002}, {"pine", 0.002, 0.0, true}, {"pine", 0.002}}};
     const Stack stack = reflector_of(plywood, library())(frequency_hz);
     const Grained &outer = *stack.layers[0].grain, &inner = *stack.layers[1].grain;
@@ -98,7 +108,8 @@ TEST_CASE("a turned veneer has along and across exchanged", "[channel]") {
 
 TEST_CASE("without a grain yaw changes nothing", "[channel]") {
     const Sample sample{.material = "wood", .face = {}, .thickness_m = 0.018};
-    const Reflection straight = stack_reflection(reflector_of(sample, library())(frequency_hz), 0.9);
+    const Reflection straight =
+        stack_reflection(reflector_of(sample, library())(frequency_hz), 0.9);
     const Reflection turned =
         stack_reflection(reflector_of(sample, library(), 1.0)(frequency_hz), 0.9);
     CHECK(straight.te == turned.te);

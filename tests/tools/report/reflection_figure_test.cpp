@@ -70,8 +70,8 @@ TEST_CASE("frequencies outside the band are shaded and called so", "[report]") {
 TEST_CASE("the figure shows its title, its curves and the Brewster angle", "[report]") {
     const Figure figure = reflection_figure("reflection_plexiglass", curves_of("plexiglass"));
     const std::string svg = render_figure(figure).svg;
-    for (const std::string_view text : {">Plexiglass (PMMA), cast sheet<", ">half-space<", ">10 mm<",
-                                        ">TM, half-space<", "Brewster 58.2"})
+    for (const std::string_view text : {">Plexiglass (PMMA), cast sheet<", ">half-space<",
+                                        ">10 mm<", ">TM, half-space<", "Brewster 58.2"})
         CHECK(has(svg, text));
     CHECK(has(figure.csv, "frequency,half-space,57,-12.59"));
     CHECK(has(figure.csv, "angle,\"TE, 5 mm\",0,"));
