@@ -23,8 +23,8 @@ struct Ended {
 
 /// How a program is started.
 struct Start {
-    std::vector<std::string> arguments;  ///< the program first
-    std::filesystem::path folder = ".";  ///< to work in
+    std::vector<std::string> arguments;                ///< the program first
+    std::filesystem::path folder = ".";                ///< to work in
     std::map<std::string, std::string> environment{};  ///< on top of our own
     std::string output_file{};                         ///< instead of capturing standard output
 };
@@ -32,8 +32,8 @@ struct Start {
 /// Runs a program to its end, with nothing on its standard input.
 inline Ended run_program(const Start& start) {
     const TemporaryFolder captured;
-    const std::string output = start.output_file.empty() ? (captured / "output").string()
-                                                         : start.output_file;
+    const std::string output =
+        start.output_file.empty() ? (captured / "output").string() : start.output_file;
     const std::string errors = (captured / "errors").string();
     std::vector<char*> arguments;
     for (const std::string& each : start.arguments)

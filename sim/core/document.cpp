@@ -20,8 +20,8 @@ void refuse_long_lines(const std::string& text, const std::string& name) {
     for (std::size_t end = 0; begin < text.size(); begin = end + 1, ++line) {
         end = std::min(text.find('\n', begin), text.size());
         if (end - begin > longest)
-            throw InputError(format("{}:{}: is longer than {} characters; break the line", name,
-                                    line, longest));
+            throw InputError(
+                format("{}:{}: is longer than {} characters; break the line", name, line, longest));
     }
 }
 

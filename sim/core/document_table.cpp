@@ -15,7 +15,7 @@ std::string printable(const std::string& text) {
     std::string line;
     for (const char c : text) {
         const auto byte = static_cast<unsigned char>(c);
-        line += c == '\n'                     ? "\\n"
+        line += c == '\n'                    ? "\\n"
                 : byte < ' ' || byte == 0x7f ? format("\\x{:02x}", byte)
                                              : std::string(1, c);
     }
@@ -111,8 +111,7 @@ void Section::Table::fail_unknown(const std::string& key) const {
         fail(key, node, "has no unit", "write " + spelled_keys(key, bare->second));
     const std::string where = path.empty() ? "this file" : "this table";
     const std::string near = nearest_word(key, {known.begin(), known.end()});
-    if (!near.empty())
-        fail(key, node, "is not a key of " + where, "did you mean " + near + "?");
+    if (!near.empty()) fail(key, node, "is not a key of " + where, "did you mean " + near + "?");
     for (const auto& [name, unit] : quantities)
         if (key.rfind(name + "_", 0) == 0)
             fail(key, node, "is not a key of " + where,
@@ -210,8 +209,8 @@ Distribution Section::Table::checked_law(const Named& named, const Range& range)
             const auto v = checked_numbers(plain, 2, Range::above(0.0));
             if (!range.holds(v[0] * named.to_si) || !(v[1] >= 1.0))
                 fail(inner.key, &node, "is out of range",
-                     "give [median, ratio]: a median " +
-                         described(range, named.to_si, named.unit) + ", a ratio at least 1");
+                     "give [median, ratio]: a median " + described(range, named.to_si, named.unit) +
+                         ", a ratio at least 1");
             return Distribution(Distribution::Factor{v[0] * named.to_si, v[1]});
         }
     }

@@ -83,9 +83,9 @@ TEST_CASE("a factor law is positive, and as often above its median as below", "[
 }
 
 TEST_CASE("laws without spread give their median exactly", "[distribution]") {
-    for (const Distribution& law :
-         {Distribution(Distribution::Uniform{3.0, 3.0}), Distribution(Distribution::Normal{3.0, 0.0}),
-          Distribution(Distribution::Factor{3.0, 1.0})}) {
+    for (const Distribution& law : {Distribution(Distribution::Uniform{3.0, 3.0}),
+                                    Distribution(Distribution::Normal{3.0, 0.0}),
+                                    Distribution(Distribution::Factor{3.0, 1.0})}) {
         Stream stream({.seed = 1, .purpose = "no spread"});
         CHECK(law.sample(stream) == 3.0);
         CHECK(law.spread() == 0.0);
@@ -93,9 +93,9 @@ TEST_CASE("laws without spread give their median exactly", "[distribution]") {
 }
 
 TEST_CASE("changing one law changes no later draw", "[distribution]") {
-    const Distribution laws[]{
-        Distribution(1.0), Distribution(Distribution::Uniform{0.0, 1.0}),
-        Distribution(Distribution::Normal{0.0, 1.0}), Distribution(Distribution::Factor{1.0, 2.0})};
+    const Distribution laws[]{Distribution(1.0), Distribution(Distribution::Uniform{0.0, 1.0}),
+                              Distribution(Distribution::Normal{0.0, 1.0}),
+                              Distribution(Distribution::Factor{1.0, 2.0})};
     std::vector<std::vector<double>> after;
     for (const Distribution& law : laws) {
         Stream stream({.seed = 2, .purpose = "order"});

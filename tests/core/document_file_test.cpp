@@ -105,8 +105,8 @@ TEST_CASE("nesting without end is malformed, not a crash", "[document][file]") {
 TEST_CASE("a name with a line break or zero bytes names no file, and does not hang",
           "[document][file]") {
     CHECK(read_error(std::string("a\nb.toml")) != "(no error)");
-    CHECK(read_error(std::string(5000, 'x')) == std::string(5000, 'x') +
-                                                    ": no such file; check the path");
+    CHECK(read_error(std::string(5000, 'x')) ==
+          std::string(5000, 'x') + ": no such file; check the path");
 }
 
 }  // namespace

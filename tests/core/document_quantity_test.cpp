@@ -66,8 +66,9 @@ TEST_CASE("a quantity without a unit, or with one of another kind, is told its u
             return 0;
         });
     };
-    CHECK(optional_tilt("tilt = 10") == "x.toml:1: tilt = 10: has no unit; "
-                                        "write tilt_deg or tilt_rad");
+    CHECK(optional_tilt("tilt = 10") ==
+          "x.toml:1: tilt = 10: has no unit; "
+          "write tilt_deg or tilt_rad");
     CHECK(optional_tilt("tilt_degrees = 10") ==
           "x.toml:1: tilt_degrees = 10: is not a key of this file; did you mean tilt_deg?");
     CHECK(optional_tilt("tilt_mm = 10") ==
@@ -86,9 +87,11 @@ TEST_CASE("a range is told in the unit of the key", "[document][quantity]") {
     CHECK(length_error("height_mm = 'tall'", Range{.max = 2.0}) ==
           "x.toml:1: height_mm = \"tall\": is not a number; give a number at most 2000 mm");
     CHECK(message_of([] {
-              return parse("t_deg = 95").quantity("t", Unit::angle, Range::between(-pi, 85 * pi / 180));
-          }) == "x.toml:1: t_deg = 95: is out of range; "
-                "give a value at least -180 deg and at most 85 deg");
+              return parse("t_deg = 95")
+                  .quantity("t", Unit::angle, Range::between(-pi, 85 * pi / 180));
+          }) ==
+          "x.toml:1: t_deg = 95: is out of range; "
+          "give a value at least -180 deg and at most 85 deg");
 }
 
 TEST_CASE("a value at the stated bound is taken, in every unit", "[document][quantity]") {
@@ -138,7 +141,8 @@ TEST_CASE("what is not a finite number is in no range", "[document][quantity]") 
     CHECK(length_error("height_mm = nan", Range::any()) ==
           "x.toml:1: height_mm = nan: is not a finite number; give a value that is finite");
     // Finite as written, but not in SI.
-    CHECK_THROWS_AS(parse("f_ghz = 1e308").quantity("f", Unit::frequency, Range::any()), InputError);
+    CHECK_THROWS_AS(parse("f_ghz = 1e308").quantity("f", Unit::frequency, Range::any()),
+                    InputError);
     CHECK_THROWS_AS(parse("v = nan").number("v", Range::any()), InputError);
     CHECK_FALSE(Range::any().holds(std::nan("")));
     CHECK_FALSE(Range::any().holds(INFINITY));
@@ -148,11 +152,13 @@ TEST_CASE("lists of quantities are in the unit of their key", "[document][quanti
     CHECK(parse("size_mm = [300, 200.5]").quantities("size", Unit::length, 2, Range::above(0.0)) ==
           std::vector<double>{300 * 1e-3, 200.5 * 1e-3});
     CHECK(message_of([] {
-              return parse("size_mm = [300, 0]").quantities("size", Unit::length, 2, Range::above(0.0));
+              return parse("size_mm = [300, 0]")
+                  .quantities("size", Unit::length, 2, Range::above(0.0));
           }) == "x.toml:1: size_mm = [300, 0]: is out of range; give a value above 0 mm");
     CHECK(message_of([] {
               return parse("size_mm = 300").quantities("size", Unit::length, 2, Range::above(0.0));
-          }) == "x.toml:1: size_mm = 300: is not a list of the right length; give 2 numbers: [...]");
+          }) ==
+          "x.toml:1: size_mm = 300: is not a list of the right length; give 2 numbers: [...]");
 }
 
 Distribution length_law(const std::string& value) {
@@ -206,15 +212,15 @@ TEST_CASE("laws that cannot be are refused with what they want", "[document][law
           "x.toml:1: d_mm.factor = [\"a\", 1.1]: is not a number; give a number above 0");
 }
 
-TEST_CASE("a law that is unknown, doubled or empty is told the three that are",
-          "[document][law]") {
+TEST_CASE("a law that is unknown, doubled or empty is told the three that are", "[document][law]") {
     const std::string remedy =
         "is not a value or a law; write a number, { uniform = [low, high] }, "
         "{ normal = [mean, sd] } or { factor = [median, ratio] }";
     for (const char* value : {"{ gauss = [1, 2] }", "{}", "{ normal = [1, 2], factor = [1, 2] }"})
         CHECK(law_error(value) == "x.toml:1: d_mm = {...}: " + remedy);
-    CHECK(law_error("'thin'") == "x.toml:1: d_mm = \"thin\": is not a number; "
-                                 "give a number above 0 mm and below 1000 mm");
+    CHECK(law_error("'thin'") ==
+          "x.toml:1: d_mm = \"thin\": is not a number; "
+          "give a number above 0 mm and below 1000 mm");
 }
 
 }  // namespace

@@ -188,8 +188,10 @@ TEST_CASE("a section outlives the one it was taken from", "[document]") {
 }
 
 TEST_CASE("keys and values that are not ASCII are quoted back whole", "[document]") {
-    CHECK(message_of([] { parse("\"h\xc3\xb6he_mm\" = 1").finish(); return 0; }) ==
-          "x.toml:1: h\xc3\xb6he_mm = 1: is not a key of this file; remove it");
+    CHECK(message_of([] {
+              parse("\"h\xc3\xb6he_mm\" = 1").finish();
+              return 0;
+          }) == "x.toml:1: h\xc3\xb6he_mm = 1: is not a key of this file; remove it");
     CHECK(message_of([] { return parse("a = '\xe9\x9b\xb7'").choice("a", {"b"}); }) ==
           "x.toml:1: a = \"\xe9\x9b\xb7\": is not known; use \"b\"");
 }
@@ -199,8 +201,10 @@ TEST_CASE("whatever a key or value holds, a message is one line of readable leng
           "x.toml:1: a = \"x\\ny\": is not known; use \"b\"");
     CHECK(message_of([] { return parse("a = \"x\\ny\\u001b[2J\"").choice("a", {"b"}); }) ==
           "x.toml:1: a = \"x\\ny\\x1b[2J\": is not known; use \"b\"");
-    CHECK(message_of([] { parse("\"a\\nb\" = 1").finish(); return 0; }) ==
-          "x.toml:1: a\\nb = 1: is not a key of this file; remove it");
+    CHECK(message_of([] {
+              parse("\"a\\nb\" = 1").finish();
+              return 0;
+          }) == "x.toml:1: a\\nb = 1: is not a key of this file; remove it");
     const std::string umlauts = [] {
         std::string text;
         for (int i = 0; i < 50; ++i) text += "\xc3\xa4";
@@ -217,7 +221,9 @@ TEST_CASE("whatever a key or value holds, a message is one line of readable leng
 
 TEST_CASE("a choice is one of its options, letter by letter", "[document]") {
     CHECK(parse("a = 'hann'").choice("a", {"hann", "blackman"}) == "hann");
-    CHECK(message_of([] { return parse("\na = 'Hann'").choice("a", {"hann", "blackman"}); }) ==
+    CHECK(message_of([] {
+              return parse("\na = 'Hann'").choice("a", {"hann", "blackman"});
+          }) ==
           "x.toml:2: a = \"Hann\": is not known; did you mean \"hann\"? "
           "use \"hann\" or \"blackman\"");
     // Of a long list, the nearest is enough; without one, all are told.
@@ -231,10 +237,14 @@ TEST_CASE("a choice is one of its options, letter by letter", "[document]") {
 
 TEST_CASE("who reads a key can refuse it by its place, even one that is absent", "[document]") {
     const Section section = parse("a = 1\nlimit_cm = 2");
-    CHECK(message_of([&] { section.fail("a", "is wrong", "change it"); return 0; }) ==
-          "x.toml:1: a = 1: is wrong; change it");
-    CHECK(message_of([&] { section.fail("b", "is wrong", "add it"); return 0; }) ==
-          "x.toml:1: b: is wrong; add it");
+    CHECK(message_of([&] {
+              section.fail("a", "is wrong", "change it");
+              return 0;
+          }) == "x.toml:1: a = 1: is wrong; change it");
+    CHECK(message_of([&] {
+              section.fail("b", "is wrong", "add it");
+              return 0;
+          }) == "x.toml:1: b: is wrong; add it");
     CHECK(message_of([&] {
               section.fail_quantity("limit", Unit::length, "is too far", "come nearer");
               return 0;

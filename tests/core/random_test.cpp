@@ -42,9 +42,9 @@ TEST_CASE("a stream is Philox of (number, item, world, hash of the purpose) unde
     for (const auto& [key, hash] : cases) {
         std::vector<std::uint32_t> expected;
         for (std::uint32_t number = 0; number < 5; ++number) {
-            const auto block = r123::Philox4x32()(
-                {{number, key.item, key.world, hash}},
-                {{static_cast<std::uint32_t>(key.seed), static_cast<std::uint32_t>(key.seed >> 32)}});
+            const auto block = r123::Philox4x32()({{number, key.item, key.world, hash}},
+                                                  {{static_cast<std::uint32_t>(key.seed),
+                                                    static_cast<std::uint32_t>(key.seed >> 32)}});
             for (std::size_t i = 0; i < 4; ++i) expected.push_back(block[i]);
         }
         CHECK(first_bits(key, expected.size()) == expected);

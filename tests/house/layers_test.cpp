@@ -14,7 +14,8 @@ namespace {
 const std::vector<std::vector<std::string>> order{
     {"firmware"},    {"sim/core"},    {"materials"},  {"scenes"},
     {"sim/trace"},   {"sim/channel"}, {"sim/signal"}, {"sim/adc"},
-    {"sim/dataset"}, {"sim"},         {"classifier"}, {"tools/report", "tools/study"},
+    {"sim/dataset"}, {"sim"},         {"classifier"},
+    {"tools/report", "tools/study", "tools/validate"},
     {"tools"},
 };
 

@@ -91,7 +91,8 @@ TEST_CASE("a perfect conductor is the limit of a good one", "[interface]") {
 }
 
 TEST_CASE("between equal media there is no face, whatever the angle", "[interface]") {
-    for (const Electrics& medium : {Electrics{}, Electrics{{2.6, -0.1}, 1.0}, Electrics{{1, -9}, 2.0}})
+    for (const Electrics& medium :
+         {Electrics{}, Electrics{{2.6, -0.1}, 1.0}, Electrics{{1, -9}, 2.0}})
         for (const double s2 : {0.0, 0.5, 1.0}) {
             const Reflection r = fresnel(medium, medium, s2);
             CHECK(r.te == Complex(0.0));

@@ -11,12 +11,12 @@ namespace {
 using namespace literals;
 
 constexpr const char* text =
-    "title = 'Perspex'\n"                    // 1
-    "source = 'made up for this test'\n"     // 2
-    "valid_ghz = [40, 120]\n"                // 3
-    "model = 'constant'\n"                   // 4
-    "permittivity = 2.6\n"                   // 5
-    "loss_tangent = 0.01\n";                 // 6
+    "title = 'Perspex'\n"                 // 1
+    "source = 'made up for this test'\n"  // 2
+    "valid_ghz = [40, 120]\n"             // 3
+    "model = 'constant'\n"                // 4
+    "permittivity = 2.6\n"                // 5
+    "loss_tangent = 0.01\n";              // 6
 
 Material read(const std::string& content) {
     const MadeUpFolder folder;
@@ -53,8 +53,8 @@ TEST_CASE("a material that cannot be is refused at the key to change", "[materia
     CHECK(error_with("source = 'made up for this test'\n", "") ==
           "x.toml:1: source: is missing; add it");
     CHECK(error_with("'constant'", "'constnat'")
-              .rfind("x.toml:4: model = \"constnat\": is not known; did you mean \"constant\"?", 0) ==
-          0);
+              .rfind("x.toml:4: model = \"constnat\": is not known; did you mean \"constant\"?",
+                     0) == 0);
     CHECK(error_with("2.6", "0.9") ==
           "x.toml:5: permittivity = 0.9: is out of range; give a value at least 1");
     CHECK(error_with("0.01", "-0.01") ==

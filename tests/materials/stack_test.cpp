@@ -77,8 +77,8 @@ TEST_CASE("metals reflect, and films on them, as the reference says", "[stack][r
         const Reflection bare = stack_reflection(stack, cosine(inp));
         INFO(inp.dump());
         if (has_film) {
-            stack.layers = {{.medium = dielectric(complex_of(inp.at("eps"))),
-                             .thickness_m = inp.at("d_m")}};
+            stack.layers = {
+                {.medium = dielectric(complex_of(inp.at("eps"))), .thickness_m = inp.at("d_m")}};
             const Complex r = stack_reflection(stack, cosine(inp)).te;
             CHECK(std::abs(r - complex_of(expect.at("r_TE"))) <
                   reference.at("tolerance").at("r_abs").get<double>());
@@ -140,8 +140,9 @@ TEST_CASE("a quarter wave of the mean index hides a half-space", "[stack]") {
     Stack coated = slab(2.0, wavelength_m / (4.0 * std::sqrt(2.0)));
     coated.backing = HalfSpace{dielectric(4.0)};
     CHECK(std::abs(stack_reflection(coated, 1.0).te) < rounding);
-    CHECK(std::abs(stack_reflection({.backing = coated.backing, .frequency_hz = 60.0_GHz}, 1.0).te) ==
-          Approx(1.0 / 3.0));
+    CHECK(
+        std::abs(stack_reflection({.backing = coated.backing, .frequency_hz = 60.0_GHz}, 1.0).te) ==
+        Approx(1.0 / 3.0));
 }
 
 TEST_CASE("on a perfect conductor a lossless slab reflects all, a lossy one less", "[stack]") {
@@ -204,7 +205,8 @@ TEST_CASE("a slab so lossy that nothing returns is a half-space", "[stack]") {
     CHECK(std::abs(thick.te - half.te) < rounding);
     CHECK(std::abs(thick.tm - half.tm) < rounding);
     const Electrics metal = Conductive{}.at(60.0_GHz);
-    const Stack sheet{.layers = {{.medium = metal, .thickness_m = 3.0_mm}}, .frequency_hz = 60.0_GHz};
+    const Stack sheet{.layers = {{.medium = metal, .thickness_m = 3.0_mm}},
+                      .frequency_hz = 60.0_GHz};
     CHECK(std::abs(stack_reflection(sheet, 1.0).te) == Approx(1.0).epsilon(1e-3));
 }
 

@@ -29,9 +29,10 @@ TEST_CASE("a patch radiates the power that its pattern integrates to", "[antenna
     const double tolerance = reference.at("tolerance").at("rel");
     for (const auto& point : reference.at("points")) {
         const auto& inp = point.at("inp");
-        const PatchPattern patch{.gain_dbi = inp.at("G0_dbi"),
-                                 .half_width_azimuth_rad = inp.at("az6_deg").get<double>() * pi / 180,
-                                 .half_width_elevation_rad = inp.at("el6_deg").get<double>() * pi / 180};
+        const PatchPattern patch{
+            .gain_dbi = inp.at("G0_dbi"),
+            .half_width_azimuth_rad = inp.at("az6_deg").get<double>() * pi / 180,
+            .half_width_elevation_rad = inp.at("el6_deg").get<double>() * pi / 180};
         // Midpoint rule in z and the angle about it; in front, the pattern is smooth.
         constexpr int n = 300;
         double integral = 0.0;
@@ -48,9 +49,8 @@ TEST_CASE("a patch radiates the power that its pattern integrates to", "[antenna
 }
 
 TEST_CASE("a patch has its gain ahead and a quarter of it at its half widths", "[antenna]") {
-    const PatchPattern patch{.gain_dbi = 5.5,
-                             .half_width_azimuth_rad = 60.0_deg,
-                             .half_width_elevation_rad = 35.0_deg};
+    const PatchPattern patch{
+        .gain_dbi = 5.5, .half_width_azimuth_rad = 60.0_deg, .half_width_elevation_rad = 35.0_deg};
     constexpr double rounding = 1e-12;  // of a power and its logarithm
     CHECK(decibel(patch.gain(towards(0.0, 0.0))) == Approx(5.5).epsilon(rounding));
     for (const double sign : {-1.0, 1.0}) {
@@ -106,15 +106,18 @@ TEST_CASE("an antenna section is read by its pattern", "[antenna]") {
         section.finish();
         return pattern;
     };
-    const Pattern patch = read("pattern = 'patch'\ngain_dbi = 5.5\nhalf_width_azimuth_deg = 60\n"
-                               "half_width_elevation_deg = 35");
+    const Pattern patch = read(
+        "pattern = 'patch'\ngain_dbi = 5.5\nhalf_width_azimuth_deg = 60\n"
+        "half_width_elevation_deg = 35");
     CHECK(decibel(gain_towards(patch, towards(0.0, 35.0_deg))) == Approx(-0.5));
-    CHECK(message_of([&] { return read("pattern = 'isotropic'\ngain_dbi = 0\nhalf_width_azimuth_deg = 60"); }) ==
-          "x.toml:3: half_width_azimuth_deg = 60: is not a key of this file; remove it");
+    CHECK(message_of([&] {
+              return read("pattern = 'isotropic'\ngain_dbi = 0\nhalf_width_azimuth_deg = 60");
+          }) == "x.toml:3: half_width_azimuth_deg = 60: is not a key of this file; remove it");
     CHECK(message_of([&] {
               return read("pattern = 'patch'\ngain_dbi = 0\nhalf_width_azimuth_deg = 90\n");
-          }) == "x.toml:3: half_width_azimuth_deg = 90: is out of range; "
-                "give a value above 0 deg and below 90 deg");
+          }) ==
+          "x.toml:3: half_width_azimuth_deg = 90: is out of range; "
+          "give a value above 0 deg and below 90 deg");
 }
 
 }  // namespace

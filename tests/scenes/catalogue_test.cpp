@@ -51,8 +51,9 @@ TEST_CASE("a folder that is no catalogue is refused with the part it lacks", "[c
 TEST_CASE("a radar is found by name, or as a file beside the one that names it", "[catalogue]") {
     const MadeUpFolder folder;
     folder.with("own/mine.toml", project_file("scenes/radars/iwrl6432boost.toml"));
-    folder.with("scene.toml", "radar = 'own/mine.toml'\nmissing = 'none.toml'\n"
-                              "name = 'iwrl6432boost'\nmisspelt = 'iwrl6432boots'");
+    folder.with("scene.toml",
+                "radar = 'own/mine.toml'\nmissing = 'none.toml'\n"
+                "name = 'iwrl6432boost'\nmisspelt = 'iwrl6432boots'");
     Section section = Section::read(folder / "scene.toml");
     CHECK(catalogue().radar(section, "radar").name == "mine");
     CHECK(catalogue().radar(section, "name").name == "iwrl6432boost");
@@ -60,8 +61,9 @@ TEST_CASE("a radar is found by name, or as a file beside the one that names it",
           (folder / "scene.toml").string() +
               ":2: missing = \"none.toml\": no such file beside this one; "
               "give a path relative to this file");
-    CHECK(message_of([&] { return catalogue().radar(section, "misspelt"); })
-              .find("is not known; did you mean \"iwrl6432boost\"?") != std::string::npos);
+    CHECK(message_of([&] {
+              return catalogue().radar(section, "misspelt");
+          }).find("is not known; did you mean \"iwrl6432boost\"?") != std::string::npos);
 }
 
 TEST_CASE("a backing is air, metal or a material, and air where none is given", "[catalogue]") {
@@ -69,15 +71,17 @@ TEST_CASE("a backing is air, metal or a material, and air where none is given", 
     CHECK(catalogue().backing_name(section, "none") == "air");
     CHECK(catalogue().backing_name(section, "a") == "metal");
     CHECK(catalogue().backing_name(section, "b") == "wood");
-    CHECK(message_of([&] { return catalogue().backing_name(section, "c"); })
-              .rfind("x.toml:3: c = \"woood\": is not known; did you mean \"wood\"?", 0) == 0);
+    CHECK(message_of([&] {
+              return catalogue().backing_name(section, "c");
+          }).rfind("x.toml:3: c = \"woood\": is not known; did you mean \"wood\"?", 0) == 0);
 }
 
 TEST_CASE("a material is one of the library", "[catalogue]") {
     Section section = parse("a = 'wood'\nb = 'plexiglas'");
     CHECK(catalogue().material_name(section, "a") == "wood");
-    CHECK(message_of([&] { return catalogue().material_name(section, "b"); })
-              .rfind("x.toml:2: b = \"plexiglas\": is not known; did you mean \"plexiglass\"?", 0) ==
+    CHECK(message_of([&] {
+              return catalogue().material_name(section, "b");
+          }).rfind("x.toml:2: b = \"plexiglas\": is not known; did you mean \"plexiglass\"?", 0) ==
           0);
 }
 

@@ -47,10 +47,14 @@ TEST_CASE("the farthest range beats at 0.45 of the sample rate", "[chirp]") {
 
 std::string with(const std::string& key, const std::string& value) {
     std::string text;
-    for (const auto& [name, usual] : std::vector<std::pair<std::string, std::string>>{
-             {"start_ghz", "57.5"}, {"slope_mhz_per_us", "150"}, {"sample_rate_mhz", "5"},
-             {"n_samples", "128"}, {"skip_samples", "28"}, {"filter_latency_samples", "11"},
-             {"ramp_end_us", "33"}})
+    for (const auto& [name, usual] :
+         std::vector<std::pair<std::string, std::string>>{{"start_ghz", "57.5"},
+                                                          {"slope_mhz_per_us", "150"},
+                                                          {"sample_rate_mhz", "5"},
+                                                          {"n_samples", "128"},
+                                                          {"skip_samples", "28"},
+                                                          {"filter_latency_samples", "11"},
+                                                          {"ramp_end_us", "33"}})
         text += name + " = " + (name == key ? value : usual) + "\n";
     return text;
 }

@@ -31,8 +31,8 @@ TEST_CASE("a placed plate is the same plate elsewhere", "[mesh]") {
     CHECK(here.triangles == there.triangles);
     double worst_m = 0.0;
     for (std::size_t i = 0; i < here.vertices_m.size(); ++i)
-        worst_m = std::max(
-            worst_m, (placement.point(here.vertices_m[i]) - there.vertices_m[i]).norm());
+        worst_m =
+            std::max(worst_m, (placement.point(here.vertices_m[i]) - there.vertices_m[i]).norm());
     CHECK(worst_m == 0.0);
 }
 
@@ -85,10 +85,10 @@ TEST_CASE("no triangle of a bowed mesh leaves the surface by more than 1/2048 of
         const Mesh mesh = triangulate(plate, {});
         double worst_m = 0.0;
         for (const auto& t : mesh.triangles)
-            for (const auto& [u, v] : {std::pair{0.5, 0.5}, {0.5, 0.0}, {0.0, 0.5}, {0.3, 0.3},
-                                       {0.0, 0.0}}) {
-                const Vector3 p = (1.0 - u - v) * mesh.vertices_m[t[0]] + u * mesh.vertices_m[t[1]] +
-                                  v * mesh.vertices_m[t[2]];
+            for (const auto& [u, v] :
+                 {std::pair{0.5, 0.5}, {0.5, 0.0}, {0.0, 0.5}, {0.3, 0.3}, {0.0, 0.0}}) {
+                const Vector3 p = (1.0 - u - v) * mesh.vertices_m[t[0]] +
+                                  u * mesh.vertices_m[t[1]] + v * mesh.vertices_m[t[2]];
                 worst_m = std::max(worst_m, std::abs(p.z() - plate.height_m(p.x(), p.y())));
             }
         CHECK(worst_m <= std::abs(bow_m) / 2048.0 * (1.0 + 1e-9));

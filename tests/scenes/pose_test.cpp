@@ -84,8 +84,11 @@ TEST_CASE("yaw turns the sample about its own centre and in its own plane", "[po
 }
 
 TEST_CASE("placements are rigid: no stretching, no mirror", "[pose]") {
-    const Pose pose{.sensor = {0.5, -1.2}, .sample = {-0.4, 0.9}, .pivot_m = {0.1, 0.2, 0.3},
-                    .offset_x_m = -0.2, .yaw_rad = 2.0};
+    const Pose pose{.sensor = {0.5, -1.2},
+                    .sample = {-0.4, 0.9},
+                    .pivot_m = {0.1, 0.2, 0.3},
+                    .offset_x_m = -0.2,
+                    .yaw_rad = 2.0};
     for (const Placement& placement : {radar_placement(pose), sample_placement(pose)}) {
         CHECK((placement.rotation * placement.rotation.transpose() - Rotation::Identity()).norm() <
               rounding);

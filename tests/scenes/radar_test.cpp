@@ -81,14 +81,14 @@ TEST_CASE("a radar that cannot be is refused at the key to change", "[radar]") {
               .rfind("transmitter.power_dbm = -inf: is not a finite number", 0) == 0);
     CHECK(error_with("high_pass_khz", "highpass_khz")
               .rfind("receiver.high_pass_khz: is missing; add it, or is it meant by highpass_khz "
-                     "in line ", 0) == 0);
+                     "in line ",
+                     0) == 0);
     CHECK(error_with("inverted      = true", "inverted = \"yes\"")
               .rfind("rx.inverted = \"yes\": is not true or false", 0) == 0);
     CHECK(error_with("position_mm = [-6.0, 0.0] ", "position_mm = [-6.0, 0.0, 1.0]")
               .find("give 2 numbers") != std::string::npos);
     CHECK(error_with("[receiver]", "[reciever]")
-              .rfind("receiver: is missing; add it, or is it meant by reciever in line ", 0) ==
-          0);
+              .rfind("receiver: is missing; add it, or is it meant by reciever in line ", 0) == 0);
 }
 
 TEST_CASE("a radar has 1 to 16 receive channels", "[radar]") {

@@ -120,7 +120,8 @@ TEST_CASE("a sample that cannot be is refused at its key", "[scene]") {
           "give a value above 0 mm and below 10000 mm");
     CHECK(error_of(edited(least, "plexiglass", "plexiglas"))
               .rfind("x.toml:3: sample.material = \"plexiglas\": is not known; "
-                     "did you mean \"plexiglass\"?", 0) == 0);
+                     "did you mean \"plexiglass\"?",
+                     0) == 0);
     CHECK(error_of(edited(least, "thickness_mm", "shape = 'disc'\nthickness_mm")) ==
           "x.toml:5: sample.shape = \"disc\": is not known; use \"plate\"");
     CHECK(error_of(edited(least, "thickness_mm", "roughness_um = 2001\nthickness_mm"))
@@ -133,11 +134,15 @@ TEST_CASE("a height that the radar cannot see is refused, and the advice then wo
     const std::string advice = "; choose a height of 118 to 2248 mm, or another radar";
     CHECK(geometry_error("height_m = 5\n") ==
           "x.toml:7: geometry.height_m = 5: is beyond the farthest range of the chirp of "
-          "iwrl6432boost, 2.25 m" + advice);
-    CHECK(geometry_error("height_cm = 500\n").rfind("x.toml:7: geometry.height_cm = 500: ", 0) == 0);
-    CHECK(geometry_error("height_mm = 117\n") ==
-          "x.toml:7: geometry.height_mm = 117: is bin 3.00 of the chirp of iwrl6432boost, among the "
-          "leakage of bins 0 to 2" + advice);
+          "iwrl6432boost, 2.25 m" +
+              advice);
+    CHECK(geometry_error("height_cm = 500\n").rfind("x.toml:7: geometry.height_cm = 500: ", 0) ==
+          0);
+    CHECK(
+        geometry_error("height_mm = 117\n") ==
+        "x.toml:7: geometry.height_mm = 117: is bin 3.00 of the chirp of iwrl6432boost, among the "
+        "leakage of bins 0 to 2" +
+            advice);
     CHECK(geometry_error("height_mm = 118\n") == "(no error)");
     CHECK(geometry_error("height_mm = 2248\n") == "(no error)");
     CHECK(blind_reason(read(least).radar, 0.45).empty());

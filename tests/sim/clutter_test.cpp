@@ -40,8 +40,8 @@ TEST_CASE("a point of the room has the law's mean power and Rayleigh's amplitude
 }
 
 TEST_CASE("points of the room add their powers", "[sim]") {
-    const ClutterLaw law{.points = 8, .level_db = -40.0,
-                         .range_m = Distribution(Distribution::Uniform{0.3, 2.0})};
+    const ClutterLaw law{
+        .points = 8, .level_db = -40.0, .range_m = Distribution(Distribution::Uniform{0.3, 2.0})};
     constexpr int n = 1000;
     double power = 0.0;
     for (std::uint32_t item = 0; item < n; ++item)

@@ -35,7 +35,8 @@ TEST_CASE("sessions run over all heights and, at each, over all tilts", "[sim]")
         const Pose pose = condition.pose(session);
         ++count[{pose.height_m, pose.sensor.about_y_rad}];
         CHECK(pose.height_m == condition.heights_m[static_cast<std::size_t>(session / 8)]);
-        CHECK(pose.sensor.about_y_rad == condition.tilts_rad[static_cast<std::size_t>(session / 4 % 2)]);
+        CHECK(pose.sensor.about_y_rad ==
+              condition.tilts_rad[static_cast<std::size_t>(session / 4 % 2)]);
         CHECK(pose.sensor.about_x_rad == 0.0);
         CHECK(pose.sample.about_x_rad == 0.0);
         CHECK(pose.sample.about_y_rad == 0.0);
@@ -73,9 +74,9 @@ TEST_CASE("a condition that says little is recorded straight down at the nominal
 }
 
 TEST_CASE("a condition's keys arrive where they belong", "[sim]") {
-    const Condition condition =
-        read("sessions = 1\nheight_mm = [350, 550]\ntilt_deg = [-10, 10]\ntilted = \"sample\"\n"
-             "tilt_plane = \"elevation\"\npivot_mm = [1, 2, -30]\nsamples = \"new\"\n");
+    const Condition condition = read(
+        "sessions = 1\nheight_mm = [350, 550]\ntilt_deg = [-10, 10]\ntilted = \"sample\"\n"
+        "tilt_plane = \"elevation\"\npivot_mm = [1, 2, -30]\nsamples = \"new\"\n");
     REQUIRE(condition.heights_m.size() == 2);
     CHECK(condition.heights_m[0] == Approx(0.35));
     CHECK(condition.heights_m[1] == Approx(0.55));

@@ -20,15 +20,15 @@ TEST_CASE("the link budget of a mirror is that of the radar equation", "[sim][re
 
     const LinkBudget budget = mirror_budget(radar, height_m);
     CHECK(budget.received_dbm == Approx(point["expect"]["Pr_dbm"].get<double>()).margin(1e-9));
-    CHECK(budget.beat_hz ==
-          Approx(radar.chirp.slope_hz_s * 2.0 * height_m / speed_of_light_m_s));
+    CHECK(budget.beat_hz == Approx(radar.chirp.slope_hz_s * 2.0 * height_m / speed_of_light_m_s));
     const double times_corner = budget.beat_hz / radar.receiver.high_pass_hz;
     const double passed = times_corner * times_corner / (1.0 + times_corner * times_corner);
     CHECK(budget.high_pass_db == Approx(decibel(passed)));
     CHECK(budget.amplitude_lsb ==
           Approx(2048.0 * passed *
                  std::pow(10.0, (budget.received_dbm + radar.receiver.gain_db -
-                                 radar.receiver.full_scale_dbm) / 20.0)));
+                                 radar.receiver.full_scale_dbm) /
+                                    20.0)));
 }
 
 TEST_CASE("without a high-pass nothing is lost in it", "[sim]") {

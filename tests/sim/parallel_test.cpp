@@ -13,7 +13,8 @@ TEST_CASE("every index is worked on once, by any number of threads", "[sim]") {
     for (const int threads : {1, 2, 3, 16}) {
         std::vector<int> worked(1000, 0);
         std::atomic<std::size_t> done{0};
-        for_each_index(worked.size(), threads, [&](std::size_t i) { ++worked[i]; }, &done);
+        for_each_index(
+            worked.size(), threads, [&](std::size_t i) { ++worked[i]; }, &done);
         CHECK(worked == std::vector<int>(1000, 1));
         CHECK(done == 1000);
     }

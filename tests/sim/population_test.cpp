@@ -87,9 +87,10 @@ TEST_CASE("a law that is not given is the nominal value alone", "[sim]") {
 }
 
 TEST_CASE("the room's two laws are told apart", "[sim]") {
-    const Population population = read(two_classes + laws +
-        "[world_clutter]\npoints = 6\nlevel_db = -45\nrange_mm = { uniform = [250, 2000] }\n"
-        "[session_clutter]\npoints = 3\nlevel_db = -50\nrange_mm = 700\n");
+    const Population population =
+        read(two_classes + laws +
+             "[world_clutter]\npoints = 6\nlevel_db = -45\nrange_mm = { uniform = [250, 2000] }\n"
+             "[session_clutter]\npoints = 3\nlevel_db = -50\nrange_mm = 700\n");
     CHECK(population.world_clutter.points == 6);
     CHECK(population.world_clutter.level_db == -45.0);
     CHECK(population.world_clutter.range_m.median() == Approx(1.125));

@@ -51,12 +51,14 @@ TEST_CASE("a wide metal plate reads in ADC codes what the radar equation says of
     Scene scene = wide_mirror(point["inp"]["R_m"]);
     scene.radar.tx_power_dbm = point["inp"]["Pt_dbm"];
     scene.radar.pattern = IsotropicPattern{.gain_dbi = point["inp"]["Gt_dbi"]};
-    scene.radar.chirp.start_hz += point["inp"]["f_hz"].get<double>() - scene.radar.chirp.centre_hz();
+    scene.radar.chirp.start_hz +=
+        point["inp"]["f_hz"].get<double>() - scene.radar.chirp.centre_hz();
 
     const Peak peak = peak_of(simulated(scene));
     const double beat_hz = scene.radar.chirp.beat_hz(scene.pose.height_m);
     const double times_corner = beat_hz / scene.radar.receiver.high_pass_hz;
-    const double high_pass_db = decibel(times_corner * times_corner / (1.0 + times_corner * times_corner));
+    const double high_pass_db =
+        decibel(times_corner * times_corner / (1.0 + times_corner * times_corner));
     const double expected_db = point["expect"]["Pr_dbm"].get<double>() + high_pass_db +
                                scene.radar.receiver.gain_db - scene.radar.receiver.full_scale_dbm;
     // The case's own 0.3 dB; the plate's far edges ripple by about 0.1 dB over the chirp.

@@ -36,8 +36,8 @@ struct SmallBench {
                               .leakage_rad = Distribution(Distribution::Normal{0.0, 0.1})};
         population.frame = {.displacement_m = Distribution(Distribution::Normal{0.0, 3.5e-5}),
                             .gain_db = Distribution(Distribution::Normal{0.0, 0.02})};
-        population.world_clutter = {
-            .points = 3, .range_m = Distribution(Distribution::Uniform{0.3, 1.5})};
+        population.world_clutter = {.points = 3,
+                                    .range_m = Distribution(Distribution::Uniform{0.3, 1.5})};
         population.session_clutter = population.world_clutter;
     }
 

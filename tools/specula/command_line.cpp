@@ -28,7 +28,8 @@ constexpr const char* first_steps =
     "Begin with:\n"
     "  specula simulate scenes/examples/metal_plate.toml\n"
     "  specula study --quick\n"
-    "\"specula study --help\" explains one command. Exit status: 0 done, 1 the system failed (disk,\n"
+    "\"specula study --help\" explains one command. Exit status: 0 done, 1 the system failed "
+    "(disk,\n"
     "memory, a missing tool), 2 wrong input.";
 
 /// A sub-command with an example under its help.
@@ -52,8 +53,9 @@ void add_study(CLI::App& program, StudyArguments& arguments) {
         "Run an experiment: record, train, judge, report (two minutes for the paper's)",
         "specula study paper --out /tmp/paper --threads 2\n"
         "  Writes report.html, results.json, figures/, datasets/*.h5, models/ and firmware/.");
-    command->add_option("EXPERIMENT", arguments.experiment,
-                        "a name (specula list experiments) or a .toml file")
+    command
+        ->add_option("EXPERIMENT", arguments.experiment,
+                     "a name (specula list experiments) or a .toml file")
         ->capture_default_str();
     command->add_option("-o,--out", arguments.out, "folder to write; default out/EXPERIMENT")
         ->type_name("FOLDER");
@@ -74,7 +76,8 @@ void add_simulate(CLI::App& program, SimulateArguments& arguments) {
         add_command(program, "simulate", "Simulate one frame of a scene file",
                     "specula simulate scenes/examples/metal_plate.toml --out plate.h5\n"
                     "  Writes the ADC codes in LSB, and prints the range profile and link budget.");
-    command->add_option("SCENE", arguments.scene, "scene file (.toml; scenes/README.md has its keys)")
+    command
+        ->add_option("SCENE", arguments.scene, "scene file (.toml; scenes/README.md has its keys)")
         ->required();
     command->add_option("-o,--out", arguments.out, "dataset to write; default SCENE.h5 here")
         ->type_name("FILE");
@@ -88,12 +91,30 @@ void add_show(CLI::App& program, ShowArguments& arguments) {
         program, "show", "Explain a material, a radar, an experiment, a scene or a dataset",
         "specula show plexiglass --figure /tmp/figures\n"
         "  specula show out/paper/datasets/height.h5");
-    command->add_option("NAME", arguments.what, "a name (specula list), a .toml file or a .h5 dataset")
+    command
+        ->add_option("NAME", arguments.what, "a name (specula list), a .toml file or a .h5 dataset")
         ->required();
     command
         ->add_option("--figure", arguments.figure,
                      "draw what a material reflects there, as SVG, PNG and CSV")
         ->type_name("FOLDER");
+}
+
+void add_validate(CLI::App& program, ValidateArguments& arguments) {
+    CLI::App* command =
+        add_command(program, "validate", "Compute reference cases and compare with what they expect",
+                    "specula validate --html validation.html\n"
+                    "  Exit status: 1 where a tolerance is missed, 3 where nothing computes a case.");
+    command->add_option("DIR", arguments.folder,
+                        "folder of case files, or one of them; default the program's own");
+    command->add_option("--json", arguments.json, "write every quantity")->type_name("FILE");
+    command->add_option("--html", arguments.html, "write a page with error plots")
+        ->type_name("FILE");
+    command
+        ->add_option("-j,--threads", arguments.threads,
+                     "1 to 1024; results do not depend on it; default all processors")
+        ->check(CLI::Range(1, 1024).description(""))
+        ->capture_default_str();
 }
 
 /// One line on standard error, whatever the names of files in it hold.
@@ -144,6 +165,9 @@ int run_program(int argc, char** argv) {
     add_simulate(program, simulate);
     ShowArguments show;
     add_show(program, show);
+    ValidateArguments validation;
+    validation.threads = available_threads();
+    add_validate(program, validation);
     std::string listed, shell = "bash";
     add_command(program, "list", "List what is known by name", "specula list materials")
         ->add_option("KIND", listed, "materials, radars or experiments")
@@ -157,6 +181,7 @@ int run_program(int argc, char** argv) {
 
     try {
         program.parse(argc, argv);
+        int status = 0;
         const std::string command = program.get_subcommands().front()->get_name();
         if (command == "completion") {
             std::vector<std::string> names;
@@ -167,11 +192,12 @@ int run_program(int argc, char** argv) {
             const Catalogue catalogue = Catalogue::open(home_folder());
             if (command == "study") study_command(study, catalogue);
             if (command == "simulate") simulate_command(simulate, catalogue);
+            if (command == "validate") status = validate_command(validation, catalogue);
             if (command == "list") list_command(listed, catalogue);
             if (command == "show") show_command(show, catalogue);
         }
         flush_output();
-        return 0;
+        return status;
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return program.exit(error);  // --help, --version
         complain(usage_problem(program, error, argc > 1 ? argv[1] : ""));

@@ -28,6 +28,15 @@ struct SimulateArguments {
 };
 void simulate_command(const SimulateArguments& arguments, const Catalogue& catalogue);
 
+struct ValidateArguments {
+    std::filesystem::path folder;  ///< of case files, or one of them; empty: the project's own
+    std::filesystem::path json;    ///< to write; empty: none
+    std::filesystem::path html;
+    int threads = 1;
+};
+/// The exit status: 0, 1 where a tolerance is missed, 3 where a case cannot be computed.
+int validate_command(const ValidateArguments& arguments, const Catalogue& catalogue);
+
 /// @in what  "materials", "radars" or "experiments"
 void list_command(const std::string& what, const Catalogue& catalogue);
 

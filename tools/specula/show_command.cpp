@@ -49,8 +49,7 @@ void show_dataset(const fs::path& file) {
                 dataset.n_frames(), dataset.n_chirps, dataset.n_rx, dataset.n_samples);
     std::printf("condition %s, radar %s, range bin %.4g cm, seed %llu, version %s\n",
                 dataset.origin.condition.c_str(), dataset.origin.radar.c_str(),
-                dataset.origin.bin_m * 100.0,
-                static_cast<unsigned long long>(dataset.origin.seed),
+                dataset.origin.bin_m * 100.0, static_cast<unsigned long long>(dataset.origin.seed),
                 dataset.origin.version.c_str());
     std::printf("fingerprint %s\n\n", fingerprint(dataset).c_str());
     std::map<std::string, std::size_t> frames_of;

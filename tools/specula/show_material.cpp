@@ -69,6 +69,7 @@ void show_at_60_ghz(const Material& material) {
 }
 
 void show_levels(const Material& material) {
+    const int digits = material.is_metal() ? 4 : 2;  // metals differ in the third
     std::printf("\nhead-on, over a mirror\n%8s %22s %18s %18s\n", "GHz", "eps_r", "half-space, dB",
                 "slab 5 mm, dB");
     for (int ghz = 57; ghz <= 64; ++ghz) {
@@ -76,8 +77,8 @@ void show_levels(const Material& material) {
         const Electrics medium = material.at(f_hz);
         const Stack half{{}, HalfSpace{medium}, f_hz};
         const Stack slab{{{.medium = medium, .thickness_m = 0.005}}, HalfSpace{}, f_hz};
-        std::printf("%8d %22s %18.2f %18.2f%s\n", ghz, text_of(medium).c_str(),
-                    level_db(stack_reflection(half, 1.0).te),
+        std::printf("%8d %22s %18.*f %18.*f%s\n", ghz, text_of(medium).c_str(), digits,
+                    level_db(stack_reflection(half, 1.0).te), digits,
                     level_db(stack_reflection(slab, 1.0).te),
                     material.valid_at(f_hz) ? "" : "  extrapolated");
     }

@@ -28,7 +28,8 @@ fs::path experiment_file(const std::string& wanted, const Catalogue& catalogue) 
 /// A word as a shell takes it.
 std::string shell_word(const std::string& text) {
     const auto plain = [](unsigned char c) {
-        return std::isalnum(c) || c >= 128 || std::string_view("_-./+,:@%").find(static_cast<char>(c)) != std::string_view::npos;
+        return std::isalnum(c) || c >= 128 ||
+               std::string_view("_-./+,:@%").find(static_cast<char>(c)) != std::string_view::npos;
     };
     if (!text.empty() && std::all_of(text.begin(), text.end(), plain)) return text;
     std::string word = "'";
@@ -46,8 +47,8 @@ std::string percent(const Interval& interval) {
 void study_command(const StudyArguments& arguments, const Catalogue& catalogue) {
     StudyRequest request;
     request.experiment_file = experiment_file(arguments.experiment, catalogue);
-    request.out = arguments.out.empty() ? fs::path("out") / request.experiment_file.stem()
-                                        : arguments.out;
+    request.out =
+        arguments.out.empty() ? fs::path("out") / request.experiment_file.stem() : arguments.out;
     request.seed = arguments.seed;
     request.threads = arguments.threads;
     request.quick = arguments.quick;

@@ -21,10 +21,10 @@ fw_extract_config read_descriptor(Section section, const Radar& radar) {
         section.count("first_bin", Range::between(0, last_bin - 1), FW_DEFAULT_FIRST_BIN);
     const int n = section.count("n_bins", Range::between(1, last_bin), FW_DEFAULT_N_BINS);
     if (first + n > last_bin)
-        section.fail(section.has("n_bins") ? "n_bins" : "first_bin",
-                     format("bins {} to {} run beyond the last, {}", first, first + n - 1,
-                            last_bin - 1),
-                     "begin lower, or take fewer (n_bins)");
+        section.fail(
+            section.has("n_bins") ? "n_bins" : "first_bin",
+            format("bins {} to {} run beyond the last, {}", first, first + n - 1, last_bin - 1),
+            "begin lower, or take fewer (n_bins)");
     const std::string name =
         section.choice("window", {"blackman", "hann", "rectangular"}, "blackman");
     const fw_window window = name == "blackman" ? FW_WINDOW_BLACKMAN
@@ -32,10 +32,10 @@ fw_extract_config read_descriptor(Section section, const Radar& radar) {
                                                 : FW_WINDOW_RECT;
     fw_window_shape shape;
     if (fw_window_find(window, static_cast<std::uint16_t>(radar.chirp.n_samples), &shape) != FW_OK)
-        section.fail("window",
-                     format("the firmware has no {} window of {} samples", name,
-                            radar.chirp.n_samples),
-                     "write \"rectangular\", or choose a radar with 64, 128, 256 or 512 samples");
+        section.fail(
+            "window",
+            format("the firmware has no {} window of {} samples", name, radar.chirp.n_samples),
+            "write \"rectangular\", or choose a radar with 64, 128, 256 or 512 samples");
     const std::string integration = section.choice("integration", {"mean", "single"}, "mean");
     section.finish();
     return {.first_bin = static_cast<std::uint16_t>(first),
@@ -104,7 +104,8 @@ std::vector<Condition> read_conditions(Section& root, const Experiment& experime
         if (std::any_of(conditions.begin(), conditions.end() - 1, same))
             section.fail("name", "names an earlier condition too", "give it a name of its own");
         if (name == experiment.training.name || name == nominal_condition)
-            section.fail("name", "is the name of the training recordings or of their held-back part",
+            section.fail("name",
+                         "is the name of the training recordings or of their held-back part",
                          "give it a name of its own");
     }
     return conditions;
@@ -144,6 +145,9 @@ Experiment read_experiment(const std::filesystem::path& file, const Catalogue& c
     experiment.training =
         read_condition(training, experiment.radar, experiment.nominal_height_m, 0);
     check_file_name(training, experiment.training.name);
+    if (experiment.training.new_samples)
+        training.fail("samples", "would leave no sample known",
+                      "remove it: known samples are those of the training recordings");
     experiment.validation_share =
         training.number("validation_share", Range::inside(0.0, 1.0), experiment.validation_share);
     experiment.validation_title = training.text("validation_title");

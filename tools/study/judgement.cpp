@@ -8,9 +8,8 @@ Split split_world(const FeatureTable& recorded, int world, double validation_sha
                   std::uint64_t seed) {
     const FeatureTable rows =
         select_rows_where(recorded, [&](std::size_t i) { return recorded.world[i] == world; });
-    Stream stream({.seed = seed,
-                   .purpose = "validation split",
-                   .world = static_cast<std::uint32_t>(world)});
+    Stream stream(
+        {.seed = seed, .purpose = "validation split", .world = static_cast<std::uint32_t>(world)});
     std::vector<std::size_t> training, validation;
     for (std::size_t i = 0; i < rows.size(); ++i)
         (stream.uniform() < validation_share ? validation : training).push_back(i);
@@ -29,10 +28,9 @@ std::vector<Model> train_worlds(const std::vector<Split>& splits, const TrainOpt
                                 const RunSettings& run, Progress& progress) {
     std::vector<Model> models(splits.size());
     const auto train_one = [&](std::size_t world) {
-        models[world] = train(splits[world].training, options,
-                              {.seed = run.seed,
-                               .purpose = "training",
-                               .world = static_cast<std::uint32_t>(world)});
+        models[world] = train(
+            splits[world].training, options,
+            {.seed = run.seed, .purpose = "training", .world = static_cast<std::uint32_t>(world)});
     };
     for_each_index(splits.size(), run.threads, train_one, &progress.done());
     return models;

@@ -66,7 +66,8 @@ std::string results_json(const StudySummary& summary) {
     for (const auto& [what, hash] : summary.fingerprints) json["fingerprints"][what] = hash;
     for (const StudyCondition& condition : summary.conditions)
         json["conditions"].push_back(condition_json(condition));
-    return json.dump(2) + "\n";
+    // A path in the command may be no UTF-8; that shall not cost the results of a night.
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace specula

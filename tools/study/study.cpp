@@ -24,7 +24,8 @@ void make_folders(const fs::path& out) {
         std::error_code error;
         fs::create_directories(out / name, error);
         if (error)
-            throw SystemError(format("{}: cannot create: {}", (out / name).string(), error.message()));
+            throw SystemError(
+                format("{}: cannot create: {}", (out / name).string(), error.message()));
     }
 }
 
@@ -195,7 +196,8 @@ StudySummary run_study(const StudyRequest& request, const Catalogue& catalogue) 
         add(recordings[i].condition.name, recordings[i].condition.title, recordings[i].features,
             recordings[i].condition.heights_m);
     for (const Recording& recording : recordings)
-        summary.fingerprints.emplace_back(recording.file.filename().string(), recording.fingerprint);
+        summary.fingerprints.emplace_back(recording.file.filename().string(),
+                                          recording.fingerprint);
 
     write_file_atomically(request.out / "results.json", results_json(summary));
     write_study_report(request.out, summary);

@@ -13,8 +13,7 @@ namespace {
 BeatSignal beat_of(const Chirp& chirp, const PointEcho& echo) {
     const FrequencyComb comb = comb_of(chirp);
     Channel channel = silent_channel(1, comb);
-    add_path(channel, comb,
-             {.rx = 0, .length_m = 2.0 * echo.range_m, .transfer = echo.amplitude});
+    add_path(channel, comb, {.rx = 0, .length_m = 2.0 * echo.range_m, .transfer = echo.amplitude});
     channel.reference_path_m = 2.0 * echo.range_m;
     return dechirp(channel, chirp);
 }

@@ -11,7 +11,6 @@
 namespace specula {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
 
 namespace {
 
@@ -49,12 +48,12 @@ std::string field_before(const std::string& text, std::size_t place) {
     throw InputError(where + "not JSON from here on; mend the file");
 }
 
-Json parsed(const fs::path& path, const std::string& text) {
+nlohmann::json parsed(const fs::path& path, const std::string& text) {
     try {
-        return Json::parse(text);
-    } catch (const Json::parse_error& error) {
+        return nlohmann::json::parse(text);
+    } catch (const nlohmann::json::parse_error& error) {
         not_json(path, text, error.byte);
-    } catch (const Json::exception&) {  // numbers beyond double
+    } catch (const nlohmann::json::exception&) {  // numbers beyond double
         throw InputError(path.string() + ": a number is too large; use values below 1e308");
     }
 }
@@ -64,15 +63,15 @@ Json parsed(const fs::path& path, const std::string& text) {
     throw InputError(format("{}: {}: {}; {}", path.string(), field, problem, remedy));
 }
 
-std::string text_field(const fs::path& path, const Json& document, const char* name) {
+std::string text_field(const fs::path& path, const nlohmann::json& document, const char* name) {
     if (!document.contains(name)) fail(path, name, "missing", "every case has one");
     if (!document[name].is_string()) fail(path, name, "not a text", "give one in quotes");
     return document[name];
 }
 
-void check_points(const fs::path& path, const Json& document) {
+void check_points(const fs::path& path, const nlohmann::json& document) {
     if (!document.contains("points")) fail(path, "points", "missing", "every case has a list");
-    const Json& points = document["points"];
+    const nlohmann::json& points = document["points"];
     if (!points.is_array()) fail(path, "points", "not a list", "give a list of {inp, expect}");
     if (points.empty()) fail(path, "points", "empty", "give one point at least");
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -89,7 +88,7 @@ void check_points(const fs::path& path, const Json& document) {
     }
 }
 
-CaseFile case_of(const fs::path& path, Json document) {
+CaseFile case_of(const fs::path& path, nlohmann::json document) {
     if (!document.is_object()) fail(path, "the file", "not an object", "give {id, points, ...}");
     CaseFile file{.path = path,
                   .id = text_field(path, document, "id"),
@@ -104,18 +103,19 @@ CaseFile case_of(const fs::path& path, Json document) {
         fail(path, "tolerance", "not an object", "give names and numbers in braces");
     check_points(path, document);
     file.n_points = document["points"].size();
-    file.document = std::make_shared<const Json>(std::move(document));
+    file.document = std::make_shared<const nlohmann::json>(std::move(document));
     return file;
 }
 
-bool is_case(const Json& document) {
+bool is_case(const nlohmann::json& document) {
     return !document.is_object() || document.contains("id") || document.contains("points");
 }
 
 }  // namespace
 
 Fields CaseFile::inp(std::size_t point) const {
-    return {(*document)["points"][point]["inp"], format("{}: points[{}].inp", path.string(), point)};
+    return {(*document)["points"][point]["inp"],
+            format("{}: points[{}].inp", path.string(), point)};
 }
 
 Fields CaseFile::expect(std::size_t point) const {
@@ -156,7 +156,7 @@ CaseFolder read_case_folder(const fs::path& folder) {
         if (entry.path().extension() == ".json") files.push_back(entry.path());
     std::sort(files.begin(), files.end());
     for (const fs::path& path : files) {
-        Json document = parsed(path, content_of(path));
+        nlohmann::json document = parsed(path, content_of(path));
         if (is_case(document))
             result.cases.push_back(case_of(path, std::move(document)));
         else

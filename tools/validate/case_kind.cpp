@@ -65,8 +65,9 @@ ComputePoint find_case_kind(const std::string& kind) {
 
 std::string case_group_title(const std::string& kind) {
     static const std::map<char, std::string> titles{
-        {'M', "Materials"},  {'R', "Radar cross-sections"}, {'N', "Near field"},
-        {'F', "FMCW radar"}, {'E', "Invariants"},           {'U', "Numerics"},
+        {'M', "Materials"},  {'R', "Radar cross-sections"},
+        {'N', "Near field"}, {'F', "FMCW radar"},
+        {'E', "Invariants"}, {'U', "Numerics"},
         {'S', "Statistics"}, {'W', "Full wave"}};
     const auto found = kind.empty() ? titles.end() : titles.find(kind.front());
     return found == titles.end() ? format("Group {}", kind.substr(0, 1)) : found->second;

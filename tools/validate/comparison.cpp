@@ -4,14 +4,13 @@
 #include <limits>
 
 #include "sim/core/format.hpp"
-#include "tools/validate/compare.hpp"
 
 namespace specula {
 
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-/// Levels in range profiles below this are the rounding of windows and sums (PHYSICS.md knows none).
+/// Levels in range profiles below this are the rounding of windows and sums.
 constexpr double profile_floor_db = -150.0;
 
 QuantityValue shown(Complex value, bool as_real) {
@@ -39,7 +38,7 @@ void Comparison::absolute(const std::string& name, Complex computed, const std::
     const Complex expected = point_.expect.complex(name);
     const bool as_real = point_.expect.is_number(name);
     add({name, shown(computed, as_real), shown(expected, as_real),
-         absolute_error(computed, expected), tolerance(key), ""});
+         absolute_error({computed, expected}), tolerance(key), ""});
 }
 
 void Comparison::relative(const std::string& name, Complex computed, const std::string& key) {
@@ -47,44 +46,38 @@ void Comparison::relative(const std::string& name, Complex computed, const std::
     const Complex expected = point_.expect.complex(name);
     const bool as_real = point_.expect.is_number(name);
     add({name, shown(computed, as_real), shown(expected, as_real),
-         relative_error(computed, expected), tolerance(key), "relative"});
+         relative_error({computed, expected}), tolerance(key), "relative"});
 }
 
 void Comparison::level(const std::string& name, double computed_db, const std::string& key) {
-    if (wants(name)) within(name, computed_db, tolerance(key), "dB");
+    if (wants(name)) within(name, computed_db, {tolerance(key), "dB"});
 }
 
-void Comparison::within(const std::string& name, double computed, double tolerance,
-                        const std::string& unit) {
-    if (!wants(name)) return;
-    const double expected = point_.expect.number(name);
-    add({name, computed, expected, absolute_error(computed, expected), tolerance, unit});
+void Comparison::within(const std::string& name, double computed, const Allowed& allowed) {
+    if (wants(name)) beside(name, {computed, point_.expect.number(name)}, allowed);
 }
 
-void Comparison::exact(const std::string& name, double computed) {
-    within(name, computed, 0.0, "");
+void Comparison::beside(const std::string& name, const NumberPair& values, const Allowed& allowed) {
+    const double error = absolute_error({values.computed, values.expected});
+    add({name, values.computed, values.expected, error, allowed.error, allowed.unit});
 }
 
-void Comparison::exact(const std::string& name, bool computed) {
+void Comparison::same(const std::string& name, double computed) {
+    within(name, computed, {0.0, ""});
+}
+
+void Comparison::same_flag(const std::string& name, bool computed) {
     if (!wants(name)) return;
     const bool expected = point_.expect.flag(name);
     add({name, computed, expected, computed == expected ? 0.0 : 1.0, 0.0, ""});
 }
 
-void Comparison::phase(const std::string& name, double computed_deg, double tolerance_deg) {
+void Comparison::wrapped(const std::string& name, const Cyclic& computed, const std::string& key) {
     if (!wants(name)) return;
     const double expected = point_.expect.number(name);
-    add({name, computed_deg, expected, phase_error_deg(computed_deg, expected), tolerance_deg,
-         "deg"});
-}
-
-void Comparison::wrapped(const std::string& name, double computed, double turn,
-                         const std::string& key) {
-    if (!wants(name)) return;
-    const double expected = point_.expect.number(name);
-    const double error = std::abs(std::remainder(computed - expected, turn));
-    add({name, computed, expected, relative_error(expected + error, expected), tolerance(key),
-         "relative"});
+    const double error = wrapped_error({computed.value, expected}, computed.turn);
+    add({name, computed.value, expected, relative_error({expected + error, expected}),
+         tolerance(key), "relative"});
 }
 
 std::vector<double> Comparison::expected_list(const std::string& name, std::size_t n) {
@@ -100,8 +93,7 @@ void Comparison::absolute(const std::string& name, std::span<const double> compu
     if (!wants(name)) return;
     const auto expected = expected_list(name, computed.size());
     for (std::size_t i = 0; i < expected.size(); ++i)
-        add({element(name, i), computed[i], expected[i], absolute_error(computed[i], expected[i]),
-             tolerance(key), unit});
+        beside(element(name, i), {computed[i], expected[i]}, {tolerance(key), unit});
 }
 
 void Comparison::levels(const std::string& name, std::span<const double> computed_db,
@@ -112,9 +104,18 @@ void Comparison::levels(const std::string& name, std::span<const double> compute
         const bool high = expected[i] > allowed.split_db;
         const bool judged = high || !allowed.below.empty();
         add({element(name, i), computed_db[i], expected[i],
-             level_error_db(computed_db[i], expected[i], profile_floor_db),
+             level_error_db({computed_db[i], expected[i]}, profile_floor_db),
              judged ? tolerance(high ? allowed.above : allowed.below) : infinite, "dB", judged});
     }
+}
+
+void Comparison::show(const std::string& name, const std::string& how,
+                      std::span<const double> computed, const std::string& unit) {
+    if (!wants(name)) return;
+    const auto expected = point_.expect.numbers(name);
+    for (std::size_t i = 0; i < std::min(expected.size(), computed.size()); ++i)
+        add({element(format("{} ({})", name, how), i), computed[i], expected[i],
+             absolute_error({computed[i], expected[i]}), infinite, unit, false});
 }
 
 void Comparison::phases(const std::string& name, std::span<const double> computed_deg,
@@ -123,15 +124,16 @@ void Comparison::phases(const std::string& name, std::span<const double> compute
     const auto expected = expected_list(name, computed_deg.size());
     for (std::size_t i = 0; i < expected.size(); ++i)
         add({element(name, i), computed_deg[i], expected[i],
-             phase_error_deg(computed_deg[i], expected[i]), tolerance_deg, "deg"});
+             wrapped_error({computed_deg[i], expected[i]}, 360.0), tolerance_deg, "deg"});
 }
 
-void Comparison::whole(const std::string& real_name, const std::string& imaginary_name,
-                       std::span<const Complex> computed, const std::string& key) {
-    const bool real = wants(real_name), imaginary = wants(imaginary_name);
-    if (!real && !imaginary) return;
+void Comparison::whole(const PartNames& names, std::span<const Complex> computed,
+                       const std::string& key) {
     double error = 0.0, sum = 0.0, found = 0.0;
+    std::string compared;
     const auto add_part = [&](const std::string& name, auto part) {
+        if (!wants(name)) return;
+        compared += (compared.empty() ? "norm of " : " and ") + name;
         const auto expected = expected_list(name, computed.size());
         for (std::size_t i = 0; i < expected.size(); ++i) {
             error += std::pow(part(computed[i]) - expected[i], 2);
@@ -139,26 +141,29 @@ void Comparison::whole(const std::string& real_name, const std::string& imaginar
             found += std::pow(part(computed[i]), 2);
         }
     };
-    if (real) add_part(real_name, [](Complex h) { return h.real(); });
-    if (imaginary) add_part(imaginary_name, [](Complex h) { return h.imag(); });
-    const double scale = sum > 0.0 ? sum : 1.0;
-    add({format("norm of {}", real && imaginary ? real_name + " and " + imaginary_name
-                              : real            ? real_name
-                                                : imaginary_name),
-         std::sqrt(found), std::sqrt(sum), std::sqrt(error / scale), tolerance(key), "relative"});
+    add_part(names.real, [](Complex h) { return h.real(); });
+    add_part(names.imaginary, [](Complex h) { return h.imag(); });
+    if (compared.empty()) return;
+    add({compared, std::sqrt(found), std::sqrt(sum), std::sqrt(error / (sum > 0.0 ? sum : 1.0)),
+         tolerance(key), "relative"});
 }
 
 void Comparison::channel(const std::string& prefix, Complex h) {
-    if (wants(prefix + "h")) {
-        const Complex expected = point_.expect.complex(prefix + "h");
-        add({prefix + "h (level)", h, expected, amplitude_error_db(h, expected), tolerance("db"),
+    const std::string name = prefix + "h";
+    if (wants(name)) {
+        const Complex expected = point_.expect.complex(name);
+        add({name + " (level)", h, expected, amplitude_error_db({h, expected}), tolerance("db"),
              "dB"});
-        add({prefix + "h (phase)", h, expected,
-             phase_error_deg(phase_deg(h), phase_deg(expected)), tolerance("phase_deg"), "deg"});
+        add({name + " (phase)", h, expected,
+             wrapped_error({phase_deg(h), phase_deg(expected)}, 360.0), tolerance("phase_deg"),
+             "deg"});
     }
-    level(prefix + "abs_db", level_db(h), "db");
-    if (wants(prefix + "phase_deg"))
-        phase(prefix + "phase_deg", phase_deg(h), tolerance("phase_deg"));
+    level(prefix + "abs_db", amplitude_db(h), "db");
+    const std::string angle = prefix + "phase_deg";
+    if (!wants(angle)) return;
+    const double expected = point_.expect.number(angle);
+    add({angle, phase_deg(h), expected, wrapped_error({phase_deg(h), expected}, 360.0),
+         tolerance("phase_deg"), "deg"});
 }
 
 std::vector<Quantity> Comparison::finish() const {

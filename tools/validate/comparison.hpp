@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tools/validate/case_kind.hpp"
+#include "tools/validate/compare.hpp"
 
 namespace specula {
 
@@ -15,11 +16,17 @@ struct LevelTolerance {
     std::string below;  ///< of the others; empty: they are shown, not judged
 };
 
+/// A tolerance that is no key of the case.
+struct Allowed {
+    double error;
+    std::string unit;
+};
+
 /// Sets what was computed for a point beside what the point expects.
 ///
 /// Names that the point does not expect are passed over. Tolerances are keys of the case's
-/// `tolerance`; where none fits, a number may be given. `finish` throws NotComputable if the point
-/// holds anything, among what it gives or what it expects, that nobody asked for.
+/// `tolerance`, which must hold them once they are needed. `finish` throws NotComputable if the
+/// point holds anything, among what it gives or what it expects, that nobody asked for.
 class Comparison {
   public:
     explicit Comparison(const CasePoint& point) : point_(point) {}
@@ -30,38 +37,48 @@ class Comparison {
     void relative(const std::string& name, Complex computed, const std::string& key);
     /// A level in dB, or a difference of levels.
     void level(const std::string& name, double computed_db, const std::string& key);
-    void within(const std::string& name, double computed, double tolerance,
-                const std::string& unit);
-    void exact(const std::string& name, double computed);
-    void exact(const std::string& name, bool computed);
-    /// An angle in degrees; a turn more or less is no error.
-    void phase(const std::string& name, double computed_deg, double tolerance_deg);
-    /// An angle in radians or a share of a turn, near enough relative to its size; whole `turn`s
-    /// are no error.
-    void wrapped(const std::string& name, double computed, double turn, const std::string& key);
+    void within(const std::string& name, double computed, const Allowed& allowed);
+    void same(const std::string& name, double computed);
+    void same_flag(const std::string& name, bool computed);
 
-    void absolute(const std::string& name, std::span<const double> computed,
-                  const std::string& key, const std::string& unit);
+    /// A cyclic value, of which `turn` more or less is no error, near enough relative to its size.
+    struct Cyclic {
+        double value;
+        double turn;
+    };
+    void wrapped(const std::string& name, const Cyclic& computed, const std::string& key);
+
+    /// Lists, element by element.
+    void absolute(const std::string& name, std::span<const double> computed, const std::string& key,
+                  const std::string& unit);
     void levels(const std::string& name, std::span<const double> computed_db,
                 const LevelTolerance& tolerance);
     void phases(const std::string& name, std::span<const double> computed_deg,
                 double tolerance_deg);
-    /// The root of the summed squares of all errors, over that of what is expected; in two lists.
-    void whole(const std::string& real_name, const std::string& imaginary_name,
-               std::span<const Complex> computed, const std::string& key);
+    /// Two lists, real and imaginary part: the root of all squared errors over that of all squares.
+    struct PartNames {
+        std::string real, imaginary;
+    };
+    void whole(const PartNames& names, std::span<const Complex> computed, const std::string& key);
 
     /// A channel: `<prefix>h`, `<prefix>abs_db` and `<prefix>phase_deg`, by level and phase.
     void channel(const std::string& prefix, Complex h);
 
+    /// A value whose expectation the caller has dug out of a list.
+    void beside(const std::string& name, const NumberPair& values, const Allowed& allowed);
+
     /// What follows is only shown.
     void not_judged() { judged_ = false; }
+    /// Other values for a list of the case, only shown, under "name (how)".
+    void show(const std::string& name, const std::string& how, std::span<const double> computed,
+              const std::string& unit);
 
     std::vector<Quantity> finish() const;
 
   private:
     void add(Quantity quantity);
     double tolerance(const std::string& key) const;
-    /// Elements of a list, or an entry that says that the lengths differ.
+    /// Elements of a list; none, and an entry that says so, if there are not `n` of them.
     std::vector<double> expected_list(const std::string& name, std::size_t n);
 
     const CasePoint& point_;

@@ -9,11 +9,9 @@
 
 namespace specula {
 
-using Json = nlohmann::json;
-
 namespace {
 
-std::string shortened(const Json& value) {
+std::string shortened(const nlohmann::json& value) {
     constexpr std::size_t longest = 40;
     std::string text = value.dump(-1, ' ', true);  // one line of ASCII
     if (text.size() > longest) text = text.substr(0, longest) + "...";
@@ -27,12 +25,12 @@ std::string interval(const Range& range) {
 
 }  // namespace
 
-Fields::Fields(const Json& object, std::string where) : where_(std::move(where)) {
+Fields::Fields(const nlohmann::json& object, std::string where) : where_(std::move(where)) {
     SPECULA_EXPECT(object.is_object());
     flatten(object, "");
 }
 
-void Fields::flatten(const Json& object, const std::string& prefix) {
+void Fields::flatten(const nlohmann::json& object, const std::string& prefix) {
     for (const auto& [name, value] : object.items()) {
         if (value.is_null()) continue;
         if (value.is_object())
@@ -51,19 +49,18 @@ std::vector<std::string> Fields::names() const {
 void Fields::fail(const std::string& name, const std::string& problem,
                   const std::string& remedy) const {
     const auto found = values_.find(name);
-    const std::string value =
-        found == values_.end() ? "" : " = " + shortened(*found->second);
+    const std::string value = found == values_.end() ? "" : " = " + shortened(*found->second);
     throw InputError(format("{}.{}{}: {}; {}", where_, name, value, problem, remedy));
 }
 
-const Json& Fields::at(const std::string& name) const {
+const nlohmann::json& Fields::at(const std::string& name) const {
     const auto found = values_.find(name);
     if (found == values_.end()) fail(name, "missing", "this kind of case needs it");
     read_.insert(name);
     return *found->second;
 }
 
-double Fields::checked(const std::string& name, const Json& value, Range range) const {
+double Fields::checked(const std::string& name, const nlohmann::json& value, Range range) const {
     if (!value.is_number()) fail(name, "not a number", "give a number");
     const double number = value.get<double>();
     if (!std::isfinite(number)) fail(name, "not a finite number", "give one");
@@ -97,22 +94,22 @@ int Fields::count_or(const std::string& name, int fallback, Range range) const {
 }
 
 std::string Fields::text(const std::string& name) const {
-    const Json& value = at(name);
+    const nlohmann::json& value = at(name);
     if (!value.is_string()) fail(name, "not a text", "give one in quotes");
     return value.get<std::string>();
 }
 
 bool Fields::flag(const std::string& name) const {
-    const Json& value = at(name);
+    const nlohmann::json& value = at(name);
     if (!value.is_boolean()) fail(name, "neither true nor false", "give one of them");
     return value.get<bool>();
 }
 
-Complex Fields::complex_of(const std::string& name, const Json& value) const {
+Complex Fields::complex_of(const std::string& name, const nlohmann::json& value) const {
     if (value.is_number()) return checked(name, value, Range::any());
     const char* remedy = "give a number or [real, imaginary]";
     if (!value.is_array() || value.size() != 2) fail(name, "not a complex number", remedy);
-    for (const Json& part : value)
+    for (const nlohmann::json& part : value)
         if (!part.is_number()) fail(name, "not a complex number", remedy);
     return {checked(name, value[0], Range::any()), checked(name, value[1], Range::any())};
 }
@@ -129,30 +126,31 @@ Complex Fields::permittivity(const std::string& name) const {
     return value;
 }
 
-const Json& Fields::list_at(const std::string& name) const {
-    const Json& value = at(name);
+const nlohmann::json& Fields::list_at(const std::string& name) const {
+    const nlohmann::json& value = at(name);
     if (!value.is_array()) fail(name, "not a list", "give one in brackets");
     return value;
 }
 
 std::vector<double> Fields::numbers(const std::string& name, Range range) const {
     std::vector<double> all;
-    for (const Json& value : list_at(name)) all.push_back(checked(name, value, range));
+    for (const nlohmann::json& value : list_at(name)) all.push_back(checked(name, value, range));
     return all;
 }
 
 std::vector<Complex> Fields::complexes(const std::string& name) const {
     std::vector<Complex> all;
-    for (const Json& value : list_at(name)) all.push_back(complex_of(name, value));
+    for (const nlohmann::json& value : list_at(name)) all.push_back(complex_of(name, value));
     return all;
 }
 
 std::vector<std::vector<double>> Fields::rows(const std::string& name) const {
     std::vector<std::vector<double>> all;
-    for (const Json& row : list_at(name)) {
+    for (const nlohmann::json& row : list_at(name)) {
         if (!row.is_array()) fail(name, "not a list of lists", "give a list of lists of numbers");
         std::vector<double> values;
-        for (const Json& value : row) values.push_back(checked(name, value, Range::any()));
+        for (const nlohmann::json& value : row)
+            values.push_back(checked(name, value, Range::any()));
         all.push_back(std::move(values));
     }
     return all;

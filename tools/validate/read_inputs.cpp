@@ -22,9 +22,10 @@ double frequency_of(const Fields& inp) {
     return inp.number_of({"f_hz", "f"}, Range::above(0.0));
 }
 
-Chirp chirp_of(const Fields& inp) {
+namespace {
+
+Chirp sampled_at(const Fields& inp, double rate_hz) {
     const int n_samples = inp.count("N", Range::between(2, 1 << 20));
-    const double rate_hz = inp.number_of({"fs_hz", "fs"}, Range::above(0.0));
     const double bandwidth_hz = inp.number_of({"B_hz", "B"}, Range::above(0.0));
     const double duration_s = n_samples / rate_hz;
     return {.start_hz = inp.number_of({"f0_hz", "f0"}, Range::above(0.0)),
@@ -36,6 +37,16 @@ Chirp chirp_of(const Fields& inp) {
             .ramp_end_s = duration_s};
 }
 
+}  // namespace
+
+Chirp chirp_of(const Fields& inp) {
+    return sampled_at(inp, inp.number_of({"fs_hz", "fs"}, Range::above(0.0)));
+}
+
+Chirp chirp_of(const Fields& inp, double usual_rate_hz) {
+    return inp.has("fs_hz") || inp.has("fs") ? chirp_of(inp) : sampled_at(inp, usual_rate_hz);
+}
+
 Stack slab_of(const Fields& inp) {
     return {.layers = {{.medium = {.permittivity = inp.permittivity("eps")},
                         .thickness_m = inp.number("d_m", Range::above(0.0))}},
@@ -43,8 +54,7 @@ Stack slab_of(const Fields& inp) {
 }
 
 Backing backing_of(const Fields& inp, const std::string& name) {
-    if (!inp.is_text(name))
-        return HalfSpace{.medium = {.permittivity = inp.permittivity(name)}};
+    if (!inp.is_text(name)) return HalfSpace{.medium = {.permittivity = inp.permittivity(name)}};
     const std::string text = lower_case(inp.text(name));
     if (text == "pec" || text == "metal") return PerfectConductor{};
     if (text == "air" || text == "none" || text == "none (air)") return HalfSpace{};

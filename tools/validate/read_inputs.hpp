@@ -17,6 +17,8 @@ double frequency_of(const Fields& inp);
 
 /// `f0_hz`, `B_hz`, `N`, `fs_hz` (or `f0`, `B`, `fs`): samples from the start of the ramp.
 Chirp chirp_of(const Fields& inp);
+/// The same where the sample rate may be left out.
+Chirp chirp_of(const Fields& inp, double usual_rate_hz);
 
 /// One layer, `eps` and `d_m`, in air.
 Stack slab_of(const Fields& inp);

@@ -12,10 +12,10 @@ namespace {
 
 // ITU-R P.2040-3, table 3: a, b, c, d.
 const std::map<std::string, PowerLaw> table_3{
-    {"concrete", {5.24, 0.0, 0.0462, 0.7822}},     {"plasterboard", {2.73, 0.0, 0.0085, 0.9395}},
-    {"wood", {1.99, 0.0, 0.0047, 1.0718}},         {"glass", {6.31, 0.0, 0.0036, 1.3394}},
-    {"chipboard", {2.58, 0.0, 0.0217, 0.7800}},    {"ceiling_board", {1.48, 0.0, 0.0011, 1.0750}},
-    {"marble", {7.074, 0.0, 0.0055, 0.9262}},      {"floorboard", {3.66, 0.0, 0.0044, 1.3515}},
+    {"concrete", {5.24, 0.0, 0.0462, 0.7822}},  {"plasterboard", {2.73, 0.0, 0.0085, 0.9395}},
+    {"wood", {1.99, 0.0, 0.0047, 1.0718}},      {"glass", {6.31, 0.0, 0.0036, 1.3394}},
+    {"chipboard", {2.58, 0.0, 0.0217, 0.7800}}, {"ceiling_board", {1.48, 0.0, 0.0011, 1.0750}},
+    {"marble", {7.074, 0.0, 0.0055, 0.9262}},   {"floorboard", {3.66, 0.0, 0.0044, 1.3515}},
 };
 
 TEST_CASE("building materials have the permittivity that the reference says",
@@ -26,8 +26,9 @@ TEST_CASE("building materials have the permittivity that the reference says",
         const std::string name = point.at("inp").at("material");
         const double f_hz = point.at("inp").at("f_hz");
         const Complex expected = complex_of(point.at("expect").at("eps"));
-        const Complex found = name == "metal" ? Conductive{.conductivity_s_m = 1e7}.at(f_hz).permittivity
-                                              : table_3.at(name).at(f_hz).permittivity;
+        const Complex found = name == "metal"
+                                  ? Conductive{.conductivity_s_m = 1e7}.at(f_hz).permittivity
+                                  : table_3.at(name).at(f_hz).permittivity;
         INFO(name << " at " << f_hz);
         CHECK(found.real() == Approx(expected.real()).epsilon(tolerance));
         CHECK(found.imag() == Approx(expected.imag()).epsilon(tolerance));

@@ -35,8 +35,8 @@ std::complex<double> at(const std::vector<double>& response, double share_of_rat
 }
 
 std::complex<double> analog(double times_corner) {
-    const std::complex<double> pole = std::complex<double>(0.0, times_corner) /
-                                      std::complex<double>(1.0, times_corner);
+    const std::complex<double> pole =
+        std::complex<double>(0.0, times_corner) / std::complex<double>(1.0, times_corner);
     return pole * pole;
 }
 
@@ -48,8 +48,8 @@ TEST_CASE("the high-pass shapes the first bins as the chip's does", "[adc][refer
         const double share = filter.corner_hz / filter.rate_hz;
         // The reference's own 0.05 dB hold for corners up to a 34th of the sample rate; above, the
         // bilinear transform leaves 60 (fc / fs)^2 dB, as the docstring says.
-        const double allowed_db = std::max(reference["tolerance"]["db"].get<double>(),
-                                           60.0 * share * share);
+        const double allowed_db =
+            std::max(reference["tolerance"]["db"].get<double>(), 60.0 * share * share);
         const auto response = impulse_response(filter);
         for (std::size_t k = 0; k < 24; ++k) {
             const auto found = at(response, (static_cast<double>(k) + 1.0) / n);

@@ -75,8 +75,7 @@ TEST_CASE("thermal noise has the power kTF over half the sample rate", "[adc][re
     const NoiseSample sample = noise_of(radar, 200);
     // The mean square of n normal numbers spreads by sqrt(2 / n) of itself: 0.9 %; five times that
     // is passed by chance once in a million seeds.
-    CHECK(sample.mean_square ==
-          Approx(rms_lsb * rms_lsb).epsilon(5.0 * std::sqrt(2.0 / sample.n)));
+    CHECK(sample.mean_square == Approx(rms_lsb * rms_lsb).epsilon(5.0 * std::sqrt(2.0 / sample.n)));
 }
 
 TEST_CASE("a board at its own gain hears its noise and the rounding to codes", "[adc]") {
@@ -86,8 +85,8 @@ TEST_CASE("a board at its own gain hears its noise and the rounding to codes", "
     CHECK(thermal > 0.3);  // a fraction of a code: enough to spread the rounding error evenly
     CHECK(thermal < 2.0);
     const NoiseSample sample = noise_of(radar, 400);
-    CHECK(sample.mean_square == Approx(thermal * thermal + 1.0 / 12.0)
-                                    .epsilon(5.0 * std::sqrt(2.0 / sample.n)));
+    CHECK(sample.mean_square ==
+          Approx(thermal * thermal + 1.0 / 12.0).epsilon(5.0 * std::sqrt(2.0 / sample.n)));
 }
 
 TEST_CASE("samples of noise know nothing of each other, nor do chirps", "[adc]") {
@@ -147,16 +146,15 @@ TEST_CASE("a mirror's tone fills as many codes as the radar equation says", "[ad
     // Full scale at the ADC is 10 dBm, behind 40 dB of gain: 2048 codes.
     const double expected_lsb =
         2048.0 * std::pow(10.0, (point["expect"]["Pr_dbm"].get<double>() + 40.0 - 10.0) / 20.0);
-    CHECK(std::abs(decibel(found_lsb / expected_lsb)) <
-          reference["tolerance"]["db"].get<double>());
+    CHECK(std::abs(decibel(found_lsb / expected_lsb)) < reference["tolerance"]["db"].get<double>());
     CHECK(std::abs(decibel(found_lsb / expected_lsb)) < 0.005);  // rounding of 320 codes
 }
 
 TEST_CASE("codes are rounded to the nearest and end at both rails", "[adc]") {
     Radar radar = quiet_radar();
-    radar.rx = {ReceiveChannel{.dc_offset_lsb = 10.4}, ReceiveChannel{.dc_offset_lsb = 10.6},
+    radar.rx = {ReceiveChannel{.dc_offset_lsb = 10.4},  ReceiveChannel{.dc_offset_lsb = 10.6},
                 ReceiveChannel{.dc_offset_lsb = -10.6}, ReceiveChannel{.dc_offset_lsb = 2046.9},
-                ReceiveChannel{.dc_offset_lsb = 1e6}, ReceiveChannel{.dc_offset_lsb = -2048.4},
+                ReceiveChannel{.dc_offset_lsb = 1e6},   ReceiveChannel{.dc_offset_lsb = -2048.4},
                 ReceiveChannel{.dc_offset_lsb = -1e6}};
     const std::vector<int> expected{10, 11, -11, 2047, 2047, -2048, -2048};
     const AdcFrame frame = receive(radar, {silence(radar), silence(radar)});
@@ -176,8 +174,8 @@ TEST_CASE("codes are rounded to the nearest and end at both rails", "[adc]") {
 TEST_CASE("a tone of full scale just touches the rails", "[adc]") {
     Radar radar = quiet_radar();
     const auto largest = [&](double amplitude_lsb) {
-        const AdcFrame frame = receive(
-            radar, {tone(radar, 0.45, transfer_for(radar, amplitude_lsb)), silence(radar)});
+        const AdcFrame frame =
+            receive(radar, {tone(radar, 0.45, transfer_for(radar, amplitude_lsb)), silence(radar)});
         return *std::max_element(frame.codes.begin(), frame.codes.end());
     };
     CHECK(radar.amplitude_lsb(radar.receiver.full_scale_dbm - radar.receiver.gain_db) ==

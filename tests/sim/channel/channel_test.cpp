@@ -42,8 +42,8 @@ double off_the_plain_sum(const Scatter& scatter, const Reflector& reflector) {
     double off = 0.0, largest = 0.0;
     for (int i = 0; i < comb.n; ++i) largest = std::max(largest, std::abs(channel.of_rx(0)[i]));
     for (int i = 0; i < comb.n; i += 48)
-        off = std::max(off, std::abs(channel.of_rx(0)[i] -
-                                     direct_sum(scatter.rx[0], reflector, comb.at(i))));
+        off = std::max(
+            off, std::abs(channel.of_rx(0)[i] - direct_sum(scatter.rx[0], reflector, comb.at(i))));
     return off / largest;
 }
 

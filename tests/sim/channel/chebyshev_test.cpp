@@ -24,8 +24,9 @@ TEST_CASE("the number of points that a phase asks for interpolates it to 1e-9", 
         for (std::size_t row = 0; row < targets.size(); ++row) {
             std::complex<double> sum = 0.0;
             for (int i = 0; i < grid.n; ++i)
-                sum += matrix[row * static_cast<std::size_t>(grid.n) + static_cast<std::size_t>(i)] *
-                       std::polar(1.0, a_rad * grid.node(i));
+                sum +=
+                    matrix[row * static_cast<std::size_t>(grid.n) + static_cast<std::size_t>(i)] *
+                    std::polar(1.0, a_rad * grid.node(i));
             worst = std::max(worst, std::abs(sum - std::polar(1.0, a_rad * targets[row])));
         }
         INFO("phase " << a_rad << ", " << grid.n << " points");
@@ -77,8 +78,8 @@ TEST_CASE("Chebyshev polynomials are cosines of multiples of an angle", "[channe
     for (double angle_rad = 0.0; angle_rad <= 3.1; angle_rad += 0.1) {
         chebyshev_polynomials(std::cos(angle_rad), values);
         for (std::size_t k = 0; k < values.size(); ++k)
-            worst = std::max(worst,
-                             std::abs(values[k] - std::cos(static_cast<double>(k) * angle_rad)));
+            worst =
+                std::max(worst, std::abs(values[k] - std::cos(static_cast<double>(k) * angle_rad)));
     }
     CHECK(worst < 1e-13);  // the recursion loses a digit near the ends
     chebyshev_polynomials(0.3, std::span(values).first(1));

@@ -59,7 +59,8 @@ TEST_CASE("a plate answers a whole chirp as the reference says, sample by sample
                 const bool near = expected_db > peak_db - 30.0;
                 INFO(window << " bin " << k + 1);
                 CHECK(std::abs(found_db - expected_db) < (near ? allowed_db : allowed_far_db));
-                CHECK(std::abs(found_db - expected_db) < (near ? 1e-4 : 0.01));  // the same integral
+                CHECK(std::abs(found_db - expected_db) <
+                      (near ? 1e-4 : 0.01));  // the same integral
             }
         }
     }

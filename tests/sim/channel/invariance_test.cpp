@@ -1,8 +1,8 @@
 #include "sim/core/random.hpp"
 #include "tests/check.hpp"
 #include "tests/reference_case.hpp"
-#include "tests/sim/plate_scene.hpp"
 #include "tests/sim/deviation.hpp"
+#include "tests/sim/plate_scene.hpp"
 
 // What must not change the channel: where the whole scene stands, how it is turned, and, but for
 // what physical optics leaves out, which antenna sends.
@@ -39,9 +39,9 @@ TEST_CASE("the channel does not know where in the world the scene stands", "[cha
         const PlateScene scene = random_scene(stream);
         const PlateView view = scene.view();
         const Placement motion{
-            Eigen::AngleAxisd(3.0 * stream.uniform(),
-                              Vector3(stream.normal(), stream.normal(), stream.normal())
-                                  .normalized())
+            Eigen::AngleAxisd(
+                3.0 * stream.uniform(),
+                Vector3(stream.normal(), stream.normal(), stream.normal()).normalized())
                 .toRotationMatrix(),
             {stream.normal(), stream.normal(), stream.normal()}};
         const auto moved = [&](const Placement& placement) {

@@ -1,7 +1,7 @@
 #include "tests/check.hpp"
 #include "tests/reference_case.hpp"
-#include "tests/sim/plate_scene.hpp"
 #include "tests/sim/deviation.hpp"
+#include "tests/sim/plate_scene.hpp"
 
 // Plates in the near field against an independent vector physical-optics integral (numpy, 5 mm
 // panels of 8 x 8 Gauss points, converged to 1e-11): cases N03 to N06, N08 and N12.

@@ -101,38 +101,58 @@ struct Damage {
 std::vector<Damage> damages() {
     std::vector<Damage> list{
         {"no adc", [](Hdf5Probe& h5) { h5.remove("/adc"); }, "/adc: is missing"},
-        {"a group as adc", [](Hdf5Probe& h5) { h5.remove("/adc"); h5.add_group("/adc"); },
+        {"a group as adc",
+         [](Hdf5Probe& h5) {
+             h5.remove("/adc");
+             h5.add_group("/adc");
+         },
          "/adc: is missing"},
         {"a version to come", [](Hdf5Probe& h5) { h5.put_numbers("/", "format_version", {2.0}); },
          "/@format_version = 2"},
-        {"many versions", [](Hdf5Probe& h5) {
-             h5.put_numbers("/", "format_version", std::vector<double>(100, 1.0)); },
+        {"many versions",
+         [](Hdf5Probe& h5) {
+             h5.put_numbers("/", "format_version", std::vector<double>(100, 1.0));
+         },
          "/@format_version: is not a number"},
-        {"a version in words", [](Hdf5Probe& h5) {
-             h5.put_variable_text("/", "format_version", "one"); },
+        {"a version in words",
+         [](Hdf5Probe& h5) { h5.put_variable_text("/", "format_version", "one"); },
          "/@format_version: is not a number"},
-        {"text of variable length", [](Hdf5Probe& h5) {
-             h5.put_variable_text("/", "radar", "toy"); },
+        {"text of variable length",
+         [](Hdf5Probe& h5) { h5.put_variable_text("/", "radar", "toy"); },
          "/@radar: is not text of fixed length"},
         {"a number for a text", [](Hdf5Probe& h5) { h5.put_numbers("/", "condition", {1.0}); },
          "/@condition: is not text of fixed length"},
-        {"adc of three axes", [](Hdf5Probe& h5) { h5.put_claim("/adc", {7, 2, 3}); }, "/adc: is not"},
-        {"adc never written", [](Hdf5Probe& h5) { h5.put_claim("/adc", {7, 2, 3, 16}); },
+        {"adc of three axes",
+         [](Hdf5Probe& h5) {
+             h5.put_claim("/adc", {7, 2, 3});
+         },
+         "/adc: is not"},
+        {"adc never written",
+         [](Hdf5Probe& h5) {
+             h5.put_claim("/adc", {7, 2, 3, 16});
+         },
          "/adc: is larger than what the file holds"},
-        {"adc of a billion frames", [](Hdf5Probe& h5) {
-             h5.put_claim("/adc", {1u << 30, 2, 3, 16}); },
+        {"adc of a billion frames",
+         [](Hdf5Probe& h5) {
+             h5.put_claim("/adc", {1u << 30, 2, 3, 16});
+         },
          "/adc"},
-        {"adc beyond all numbers", [](Hdf5Probe& h5) {
-             h5.put_claim("/adc", {1ull << 40, 65535, 65535, 65535}); },
+        {"adc beyond all numbers",
+         [](Hdf5Probe& h5) {
+             h5.put_claim("/adc", {1ull << 40, 65535, 65535, 65535});
+         },
          "/adc"},
-        {"too many samples for a frame", [](Hdf5Probe& h5) { h5.put_claim("/adc", {1, 1, 1, 65536}); },
+        {"too many samples for a frame",
+         [](Hdf5Probe& h5) {
+             h5.put_claim("/adc", {1, 1, 1, 65536});
+         },
          "/adc: is not"},
         {"labels of another type", [](Hdf5Probe& h5) { h5.put_claim("/label", {7}); },
          "/label: holds another type"},
     };
     for (const std::string column : {"/label", "/group/world", "/group/frame", "/truth/bow_m"})
-        list.push_back({"no " + column, [=](Hdf5Probe& h5) { h5.remove(column); },
-                        column + ": is missing"});
+        list.push_back(
+            {"no " + column, [=](Hdf5Probe& h5) { h5.remove(column); }, column + ": is missing"});
     for (const std::string name : {"software_version", "condition", "experiment_toml", "seed",
                                    "radar", "range_bin_m", "class_names", "format_version"})
         list.push_back({"no " + name, [=](Hdf5Probe& h5) { h5.remove_attribute("/", name); },

@@ -62,11 +62,27 @@ TEST_CASE("equal content makes equal bytes, another bit other bytes", "[dataset]
     CHECK(bytes_of(folder / "b.h5") != before);
 }
 
+TEST_CASE("no object in the file holds a time", "[dataset]") {
+    // HDF5 marks an object header (OHDR, version 2) that holds times by bit 5 of its flags. The
+    // superblock's extension has one too, which no property turns off.
+    const TemporaryFolder folder;
+    write_dataset(folder / "a.h5", made_up_dataset());
+    const std::string bytes = bytes_of(folder / "a.h5");
+    std::size_t n_headers = 0;
+    for (auto at = bytes.find("OHDR\x02"); at != bytes.npos; at = bytes.find("OHDR\x02", at + 1)) {
+        CHECK((bytes.at(at + 5) & 0x20) == 0);
+        ++n_headers;
+    }
+    CHECK(n_headers >=
+          1 + 1 + 1 + 2 + 4 + truth_columns.size());  // root, adc, label, groups, columns
+}
+
 TEST_CASE("an experiment of a megabyte travels in the file", "[dataset]") {
     const TemporaryFolder folder;
     Dataset dataset = made_up_dataset(1);
     while (dataset.origin.experiment.size() < (1u << 20) - 30)
-        dataset.origin.experiment += "# line " + std::to_string(dataset.origin.experiment.size()) + "\n";
+        dataset.origin.experiment +=
+            "# line " + std::to_string(dataset.origin.experiment.size()) + "\n";
     write_dataset(folder / "a.h5", dataset);
     CHECK(read_dataset(folder / "a.h5").origin.experiment == dataset.origin.experiment);
 }

@@ -77,9 +77,12 @@ TEST_CASE("the attributes of the file are those that FORMAT.md lists", "[dataset
     const Hdf5File in = Hdf5File::open(written.file);
     for (const Row& row : table_under("Root attributes")) {
         INFO(row[0]);
-        if (row[1] == "text") CHECK_NOTHROW(in.text("/", row[0]));
-        else if (row[1] == "texts") CHECK(in.texts("/", row[0]) == written.dataset.class_names);
-        else CHECK_NOTHROW(in.number("/", row[0]));
+        if (row[1] == "text")
+            CHECK_NOTHROW(in.text("/", row[0]));
+        else if (row[1] == "texts")
+            CHECK(in.texts("/", row[0]) == written.dataset.class_names);
+        else
+            CHECK_NOTHROW(in.number("/", row[0]));
     }
     CHECK(in.text("/", "format") == "specula-dataset");
     CHECK(in.number("/", "format_version") == 1.0);

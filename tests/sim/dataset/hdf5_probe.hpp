@@ -103,7 +103,7 @@ class Hdf5Probe {
         const hid_t id = H5Dopen2(file_, table.c_str(), H5P_DEFAULT);
         const hid_t type = H5Dget_type(id), creation = H5Dget_create_plist(id);
         const std::string bits = std::to_string(8 * H5Tget_size(type));
-        found.type = H5Tget_class(type) == H5T_FLOAT       ? "float" + bits
+        found.type = H5Tget_class(type) == H5T_FLOAT     ? "float" + bits
                      : H5Tget_sign(type) == H5T_SGN_NONE ? "uint" + bits
                                                          : "int" + bits;
         found.little_endian = H5Tget_order(type) != H5T_ORDER_BE;
@@ -131,9 +131,8 @@ class Hdf5Probe {
     void put(const std::string& object, const std::string& name, hid_t type, hid_t space,
              const void* values) {
         remove_attribute(object, name);
-        const hid_t attribute =
-            H5Acreate_by_name(file_, object.c_str(), name.c_str(), type, space, H5P_DEFAULT,
-                              H5P_DEFAULT, H5P_DEFAULT);
+        const hid_t attribute = H5Acreate_by_name(file_, object.c_str(), name.c_str(), type, space,
+                                                  H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
         H5Awrite(attribute, type, values);
         H5Aclose(attribute);
         H5Sclose(space);

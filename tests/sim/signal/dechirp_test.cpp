@@ -94,7 +94,8 @@ TEST_CASE("a reflector's bins are those of its range, in every window", "[signal
         const Chirp chirp = chirp_of(inp["f0_hz"], inp["B_hz"], inp["N"], inp["fs_hz"]);
         const double range_m = inp["R_m"];
         CHECK(chirp.beat_hz(range_m) == Approx(expect["f_beat_hz"].get<double>()).epsilon(1e-9));
-        CHECK(chirp.bin_of(range_m) == Approx(expect["fractional_bin"].get<double>()).epsilon(1e-9));
+        CHECK(chirp.bin_of(range_m) ==
+              Approx(expect["fractional_bin"].get<double>()).epsilon(1e-9));
         const auto beat = beat_of(chirp, range_m);
         for (const std::string window : {"rect", "hann", "blackman"}) {
             const Json& bins = expect["bins_4_to_20_db_" + window];

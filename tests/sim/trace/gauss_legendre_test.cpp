@@ -32,8 +32,8 @@ TEST_CASE("n Gauss points miss degree 2n by the known remainder", "[trace]") {
     // Abramowitz and Stegun 25.4.30: 2^(2n+1) (n!)^4 / ((2n+1) ((2n)!)^2) for x^2n.
     for (int n = 1; n <= 8; ++n) {
         const double factorial = std::tgamma(n + 1.0), twice = std::tgamma(2.0 * n + 1.0);
-        const double missed = std::pow(2.0, 2 * n + 1) * std::pow(factorial, 4) /
-                              ((2.0 * n + 1.0) * twice * twice);
+        const double missed =
+            std::pow(2.0, 2 * n + 1) * std::pow(factorial, 4) / ((2.0 * n + 1.0) * twice * twice);
         const double exact = 2.0 / (2.0 * n + 1.0);
         CHECK(exact - integral_of_power(gauss_legendre(n), 2 * n) ==
               Approx(missed).epsilon(1e-9));  // difference of numbers of order 1, missed > 1e-5

@@ -75,9 +75,8 @@ TEST_CASE("a perfect conductor carries twice the incident magnetic field", "[tra
         const Vector3 current = 2.0 * bounce.normal.cross(bounce.to_point.cross(bounce.tx_field));
         const double expected = bounce.rx_field.dot(current);
         const double scale = bounce.tx_field.norm() * bounce.rx_field.norm();
-        worst = std::max(worst,
-                         std::abs(bracket(bounce_weights(bounce), pec_reflection) - expected) /
-                             scale);
+        worst = std::max(
+            worst, std::abs(bracket(bounce_weights(bounce), pec_reflection) - expected) / scale);
     }
     CHECK(worst < rounding);
 }
@@ -128,16 +127,16 @@ Complex plate_integral(const Json& inp) {
     Complex sum = 0.0;
     for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
         for (std::size_t j = 0; j < rule.nodes.size(); ++j) {
-            const Vector3 point = half_m * (rule.nodes[i] * along_x +
-                                            rule.nodes[j] * Vector3::UnitY());
+            const Vector3 point =
+                half_m * (rule.nodes[i] * along_x + rule.nodes[j] * Vector3::UnitY());
             const Vector3 in = point - tx, out = rx - point;
             const double r1 = in.norm(), r2 = out.norm();
-            const BounceWeights w = bounce_weights(
-                {.to_point = in / r1,
-                 .to_rx = out / r2,
-                 .normal = {std::sin(tilt_rad), 0.0, std::cos(tilt_rad)},
-                 .tx_field = field_pattern(tx_pattern, in / r1),
-                 .rx_field = field_pattern(rx_pattern, -out / r2)});
+            const BounceWeights w =
+                bounce_weights({.to_point = in / r1,
+                                .to_rx = out / r2,
+                                .normal = {std::sin(tilt_rad), 0.0, std::cos(tilt_rad)},
+                                .tx_field = field_pattern(tx_pattern, in / r1),
+                                .rx_field = field_pattern(rx_pattern, -out / r2)});
             sum += rule.weights[i] * rule.weights[j] * half_m * half_m / (r1 * r2) *
                    std::polar(1.0, -k * (r1 + r2)) * bracket(w, pec_reflection);
         }

@@ -3,8 +3,8 @@
 #include "sim/core/random.hpp"
 #include "tests/check.hpp"
 #include "tests/reference_case.hpp"
-#include "tests/sim/plate_scene.hpp"
 #include "tests/sim/deviation.hpp"
+#include "tests/sim/plate_scene.hpp"
 
 namespace specula {
 namespace {
@@ -52,9 +52,8 @@ TEST_CASE("a half hidden plate echoes as its open half alone", "[trace]") {
 TEST_CASE("a shadow in the middle takes away what that part would have echoed", "[trace]") {
     PlateScene whole;
     const Mesh hiding = screen(-0.0113, 0.0171, 0.5 * whole.pose.height_m);
-    const Complex expected =
-        echo(whole.scatter(frequency_hz)) -
-        echo(strip(whole, -0.0226, 0.0342).scatter(frequency_hz));
+    const Complex expected = echo(whole.scatter(frequency_hz)) -
+                             echo(strip(whole, -0.0226, 0.0342).scatter(frequency_hz));
     const Complex found = echo(trace_with(whole, {hiding}));
     CHECK(std::abs(found - expected) < rim * isotropic_mirror(0.45, frequency_hz));
 }
@@ -142,8 +141,7 @@ TEST_CASE("paths and angles are those of the geometry", "[trace]") {
     PlateScene scene;
     scene.plate = {.size_x_m = 0.1, .size_y_m = 0.1};
     const PairScatter pair = scene.scatter(frequency_hz);
-    const auto [shortest, longest] =
-        std::minmax_element(pair.path_m.begin(), pair.path_m.end());
+    const auto [shortest, longest] = std::minmax_element(pair.path_m.begin(), pair.path_m.end());
     const double corner_m = std::hypot(0.05, 0.05, 0.45);
     CHECK(*shortest >= 2.0 * 0.45);
     CHECK(*shortest < 2.0 * 0.45 + 1e-5);  // the middle point lies within 2 mm of the foot
@@ -151,8 +149,8 @@ TEST_CASE("paths and angles are those of the geometry", "[trace]") {
     CHECK(*longest > 2.0 * corner_m - 1e-3);
     bool along_the_path = true;
     for (std::size_t i = 0; i < pair.path_m.size(); ++i)
-        along_the_path = along_the_path &&
-                         std::abs(pair.cos_incidence[i] * pair.path_m[i] - 0.9) < 1e-12;
+        along_the_path =
+            along_the_path && std::abs(pair.cos_incidence[i] * pair.path_m[i] - 0.9) < 1e-12;
     CHECK(along_the_path);  // cos = height / distance
 }
 

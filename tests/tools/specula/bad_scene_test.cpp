@@ -35,7 +35,8 @@ const std::vector<Mistake> mistakes{
     {"tilt_deg ", "tlit_deg ", "tlit_deg",
      "geometry.tlit_deg = 10: is not a key of this table; did you mean tilt_deg?"},
     {"tilt_deg   = 10", "tilt_deg = \"10\"", "tilt_deg",
-     "geometry.tilt_deg = \"10\": is not a number; give a number at least -85 deg and at most 85 deg"},
+     "geometry.tilt_deg = \"10\": is not a number; give a number at least -85 deg and at most 85 "
+     "deg"},
     {"bow_mm       = 0.2", "bow_mm = nan", "bow_mm",
      "sample.bow_mm = nan: is not a finite number; give a value at least -50 mm and at most 50 mm"},
     {"height_mm  = 450", "height_mm = ", "height_mm", "not valid TOML: "},
@@ -53,10 +54,9 @@ const std::vector<Mistake> mistakes{
      "remove it, or write tilted = \"sample\""},
     {"height_mm  = 450", "height = 450", "height",
      "geometry.height = 450: has no unit; write height_mm, height_m, height_cm or height_um"},
-    {"[geometry]", "[geometrie]", "radar = ",
-     "geometry: is missing; add it, or is it meant by geometrie in line "},
-    {"\"iwrl6432boost\"", "\"iwrl6432\"", "radar = ",
-     "radar = \"iwrl6432\": is not known; "},
+    {"[geometry]", "[geometrie]",
+     "radar = ", "geometry: is missing; add it, or is it meant by geometrie in line "},
+    {"\"iwrl6432boost\"", "\"iwrl6432\"", "radar = ", "radar = \"iwrl6432\": is not known; "},
     {"\"iwrl6432boost\"", "\"none.toml\"", "radar = ",
      "radar = \"none.toml\": no such file beside this one; give a path relative to this file"},
 };
@@ -74,8 +74,7 @@ TEST_CASE("each mistake in a scene is one line that says where, what and what wo
         // A key that is missing is looked for in the whole file: line 1.
         const bool missing = mistake.message.find(": is missing") != std::string::npos;
         const std::string line = missing ? "1" : line_of(text, mistake.at);
-        const std::string expected =
-            "specula: error: scene.toml:" + line + ": " + mistake.message;
+        const std::string expected = "specula: error: scene.toml:" + line + ": " + mistake.message;
         CHECK(ended.errors.substr(0, expected.size()) == expected);
         CHECK(ended.errors.find('\n') == ended.errors.size() - 1);
         CHECK(ended.errors.find("; ") != std::string::npos);  // a remedy

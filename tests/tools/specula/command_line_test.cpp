@@ -43,7 +43,8 @@ TEST_CASE("help names every command, where to begin and the exit statuses", "[pr
     const Ended help = run({"--help"});
     CHECK(help.status == 0);
     CHECK(help.errors.empty());
-    for (const std::string& command : commands) CHECK(contains(help.output, "\n  " + command + " "));
+    for (const std::string& command : commands)
+        CHECK(contains(help.output, "\n  " + command + " "));
     CHECK(contains(help.output, "specula simulate scenes/examples/metal_plate.toml"));
     CHECK(contains(help.output, "0 done, 1 the system failed"));
     CHECK(std::filesystem::exists(SPECULA_SOURCE_DIR "/scenes/examples/metal_plate.toml"));
@@ -78,8 +79,7 @@ TEST_CASE("wrong arguments are one line that says what would do", "[program]") {
     };
     for (const auto& [arguments, message] : std::vector<Case>{
              {{}, "A subcommand is required; see specula --help"},
-             {{"lst"},
-              "\"lst\": no such command; did you mean list? use " + all_commands()},
+             {{"lst"}, "\"lst\": no such command; did you mean list? use " + all_commands()},
              {{"fly", "--high"}, "\"fly\": no such command; use " + all_commands()},
              {{"list"}, "KIND is required; see specula list --help"},
              {{"list", "bogus"},
@@ -114,8 +114,7 @@ TEST_CASE("wrong arguments are one line that says what would do", "[program]") {
 TEST_CASE("an error is one line whatever the name of the file holds", "[program]") {
     const Ended ended = run({"show", "a\nb\x1b[2J.toml"});
     CHECK(ended.status == 2);
-    CHECK(ended.errors ==
-          "specula: error: a?b?[2J.toml: no such file; check the path\n");
+    CHECK(ended.errors == "specula: error: a?b?[2J.toml: no such file; check the path\n");
 }
 
 TEST_CASE("a wrong SPECULA_HOME is named", "[program]") {

@@ -6,18 +6,17 @@ namespace {
 
 /// What bash would offer for a command line whose last word is being typed, one per line.
 std::string offered(const MadeUpFolder& folder, const std::string& line) {
-    const Ended ended = run_program(
-        {.arguments = {"bash", "--norc", "-c",
-                       "source ./script; COMP_WORDS=(" + line +
-                           "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _specula; "
-                           "printf '%s\\n' \"${COMPREPLY[@]}\""},
-         .folder = folder.path(),
-         .environment = {{"SPECULA_HOME", SPECULA_SOURCE_DIR}}});
+    const Ended ended =
+        run_program({.arguments = {"bash", "--norc", "-c",
+                                   "source ./script; COMP_WORDS=(" + line +
+                                       "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _specula; "
+                                       "printf '%s\\n' \"${COMPREPLY[@]}\""},
+                     .folder = folder.path(),
+                     .environment = {{"SPECULA_HOME", SPECULA_SOURCE_DIR}}});
     CHECK(ended.status == 0);
     CHECK(ended.errors.empty());
     return ended.output;
 }
-
 
 TEST_CASE("the completion script is valid and completes", "[program][completion]") {
     const MadeUpFolder folder;

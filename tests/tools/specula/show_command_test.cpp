@@ -14,8 +14,7 @@ Ended show(const std::string& what) {
     return specula_in(folder.path(), {"show", what});
 }
 
-TEST_CASE("a list has a heading, then a name at the beginning of each line",
-          "[program][list]") {
+TEST_CASE("a list has a heading, then a name at the beginning of each line", "[program][list]") {
     const TemporaryFolder folder;
     for (const auto& [kind, name, title] :
          {std::tuple{"materials", "plexiglass", "Plexiglass"},
@@ -58,16 +57,28 @@ TEST_CASE("show explains a file by what is in it", "[program][show]") {
     const Ended shown =
         show(folder.with("scene.toml", edited(scene, "height_mm  = 450", "height_m = 1")).string());
     CHECK(contains(shown.output, "plexiglass, 150 x 150 mm, 5 mm thick, backed by air"));
-    CHECK(contains(shown.output, "the radar 1000 mm above it\n"
-                                 "sample tilted by 10 deg in azimuth, 0 deg in elevation\n"));
+    CHECK(contains(shown.output,
+                   "the radar 1000 mm above it\n"
+                   "sample tilted by 10 deg in azimuth, 0 deg in elevation\n"));
     CHECK_FALSE(contains(shown.output, "sensor tilted"));
     CHECK(contains(shown.output, "an infinite mirror at 1000 mm falls into bin 25.62"));
 }
 
+TEST_CASE("show explains every example", "[program][show]") {
+    for (const auto& entry :
+         std::filesystem::directory_iterator(SPECULA_SOURCE_DIR "/scenes/examples")) {
+        const Ended shown = show(entry.path().string());
+        INFO(entry.path() << ": " << shown.errors);
+        CHECK(shown.status == 0);
+        CHECK(contains(shown.output, " mm above it\n"));
+    }
+}
+
 TEST_CASE("show explains a dataset, its truth with units", "[program][show]") {
     const TemporaryFolder folder;
-    REQUIRE(specula_in(folder.path(), {"simulate", SPECULA_SOURCE_DIR
-                                       "/scenes/examples/metal_plate.toml", "-o", "x.h5"})
+    REQUIRE(specula_in(
+                folder.path(),
+                {"simulate", SPECULA_SOURCE_DIR "/scenes/examples/metal_plate.toml", "-o", "x.h5"})
                 .status == 0);
     const Ended shown = specula_in(folder.path(), {"show", "x.h5"});
     CHECK(shown.status == 0);
@@ -80,12 +91,12 @@ TEST_CASE("show explains a dataset, its truth with units", "[program][show]") {
 TEST_CASE("a dataset that is cut off, empty or garbage is refused, whatever the cut",
           "[program][show]") {
     const MadeUpFolder folder;
-    REQUIRE(specula_in(folder.path(), {"simulate", SPECULA_SOURCE_DIR
-                                       "/scenes/examples/metal_plate.toml", "-o", "whole.h5"})
+    REQUIRE(specula_in(folder.path(),
+                       {"simulate", SPECULA_SOURCE_DIR "/scenes/examples/metal_plate.toml", "-o",
+                        "whole.h5"})
                 .status == 0);
     const std::string whole = content_of(folder / "whole.h5");
-    std::vector<std::string> broken{"", "garbage", "\x89HDF\r\n\x1a\n",
-                                    std::string(5000, '\0')};
+    std::vector<std::string> broken{"", "garbage", "\x89HDF\r\n\x1a\n", std::string(5000, '\0')};
     for (const double share : {0.05, 0.3, 0.6, 0.9, 0.99})
         broken.push_back(
             whole.substr(0, static_cast<std::size_t>(share * static_cast<double>(whole.size()))));

@@ -16,19 +16,17 @@ std::vector<Quantity> brewster_point(const CasePoint& point, const Electrics& me
     point.inp.describe({"quantity"});
     Comparison compare(point);
     const BrewsterAngle brewster = brewster_angle(medium);
-    const double allowed_deg =
-        compare.wants("theta_deg") || medium.permittivity.imag() != 0.0
-            ? point.tolerance.number("angle_deg", Range::at_least(0.0))
-            : 0.0;
-    compare.within("theta_deg", brewster.incidence_rad * 180.0 / pi, allowed_deg, "deg");
+    const double allowed_deg = compare.wants("theta_deg") || medium.permittivity.imag() != 0.0
+                                   ? point.tolerance.number("angle_deg", Range::at_least(0.0))
+                                   : 0.0;
+    compare.within("theta_deg", brewster.incidence_rad * 180.0 / pi, {allowed_deg, "deg"});
     if (compare.wants("abs_r_TM")) {
         const double sine = std::sin(brewster.incidence_rad + allowed_deg * pi / 180.0);
         const double beside = std::abs(fresnel(Electrics{}, medium, sine * sine).tm);
-        const double exact =
-            point.tolerance.number("abs_r_TM_at_brewster", Range::at_least(0.0));
+        const double exact = point.tolerance.number("abs_r_TM_at_brewster", Range::at_least(0.0));
         const bool lossless = medium.permittivity.imag() == 0.0;
-        compare.within("abs_r_TM", brewster.reflection_tm,
-                       lossless ? exact : std::max(exact, beside - brewster.reflection_tm), "");
+        const double sure = lossless ? exact : std::max(exact, beside - brewster.reflection_tm);
+        compare.within("abs_r_TM", brewster.reflection_tm, {sure, ""});
     }
     return compare.finish();
 }
@@ -43,7 +41,8 @@ std::vector<Quantity> fresnel_point(const CasePoint& point) {
             throw NotComputable("does not know the quantity \"" + quantity + "\"");
         return brewster_point(point, medium);
     }
-    const double incidence_rad = point.inp.number("theta_deg", Range::between(0.0, 90.0)) * pi / 180.0;
+    const double incidence_rad =
+        point.inp.number("theta_deg", Range::between(0.0, 90.0)) * pi / 180.0;
     const double sine = std::sin(incidence_rad);
     const Reflection r = fresnel(Electrics{}, medium, sine * sine);
     Comparison compare(point);

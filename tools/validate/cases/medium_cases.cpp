@@ -70,23 +70,20 @@ std::vector<Quantity> relaxation_point(const CasePoint& point) {
                         frequency_hz);
     }
     const Material* material = point.library.find(name);
-    if (material == nullptr)
-        throw NotComputable(format("does not know the medium \"{}\"", name));
+    if (material == nullptr) throw NotComputable(format("does not know the medium \"{}\"", name));
     return compared(point, material->at(frequency_hz), frequency_hz);
 }
 
 std::vector<Quantity> mixing_point(const CasePoint& point) {
     point.inp.describe({"inclusion", "host", "f_hz", "T_C"});
     const char* fraction = point.inp.has("v") ? "v" : "porosity";
-    const Mix mix{
-        .host = point.inp.permittivity("host_eps"),
-        .inclusion =
-            point.inp.permittivity(point.inp.has("water_eps") ? "water_eps" : "inclusion_eps"),
-        .inclusion_fraction = point.inp.number(fraction, Range::between(0.0, 1.0))};
+    const Mix mix{.host = point.inp.permittivity("host_eps"),
+                  .inclusion = point.inp.permittivity(point.inp.has("water_eps") ? "water_eps"
+                                                                                 : "inclusion_eps"),
+                  .inclusion_fraction = point.inp.number(fraction, Range::between(0.0, 1.0))};
     Comparison compare(point);
     compare.relative("looyenga", mixed_permittivity(MixingLaw::looyenga, mix), "rel");
-    compare.relative("maxwell_garnett", mixed_permittivity(MixingLaw::maxwell_garnett, mix),
-                     "rel");
+    compare.relative("maxwell_garnett", mixed_permittivity(MixingLaw::maxwell_garnett, mix), "rel");
     compare.relative("bruggeman", mixed_permittivity(MixingLaw::bruggeman, mix), "rel");
     compare.relative("lichtenecker", mixed_permittivity(MixingLaw::lichtenecker, mix), "rel");
     return compare.finish();

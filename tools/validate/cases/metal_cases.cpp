@@ -23,10 +23,10 @@ std::vector<Quantity> bare_point(const CasePoint& point) {
     const SurfaceImpedance surface(metal, frequency_hz);
     const Reflection leontovich = surface.reflection(cosine);
     Comparison compare(point);
-    compare.level("R_TE_dB", level_db(exact.te), "R_dB");
-    compare.level("R_TM_dB", level_db(exact.tm), "R_dB");
-    compare.level("R_TE_leontovich_dB", level_db(leontovich.te), "R_dB");
-    compare.level("R_TM_leontovich_dB", level_db(leontovich.tm), "R_dB");
+    compare.level("R_TE_dB", amplitude_db(exact.te), "R_dB");
+    compare.level("R_TM_dB", amplitude_db(exact.tm), "R_dB");
+    compare.level("R_TE_leontovich_dB", amplitude_db(leontovich.te), "R_dB");
+    compare.level("R_TM_leontovich_dB", amplitude_db(leontovich.tm), "R_dB");
     compare.relative("skin_depth_m", surface.skin_depth_m(), "skin_depth_rel");
     compare.relative("Rs_ohm", surface.resistance_ohm(), "skin_depth_rel");
     return compare.finish();
@@ -47,10 +47,10 @@ std::vector<Quantity> film_point(const CasePoint& point) {
     Comparison compare(point);
     compare.absolute("r_TE", r.te, "r_abs");
     compare.absolute("r_TM", r.tm, "r_abs");
-    compare.level("R_dB", level_db(r.te), "R_dB");
-    compare.level("R_TE_dB", level_db(r.te), "R_dB");
-    compare.level("R_TM_dB", level_db(r.tm), "R_dB");
-    compare.level("R_bare_dB", level_db(naked.te), "R_dB");
+    compare.level("R_dB", amplitude_db(r.te), "R_dB");
+    compare.level("R_TE_dB", amplitude_db(r.te), "R_dB");
+    compare.level("R_TM_dB", amplitude_db(r.tm), "R_dB");
+    compare.level("R_bare_dB", amplitude_db(naked.te), "R_dB");
     return compare.finish();
 }
 

@@ -19,9 +19,9 @@ std::vector<Quantity> roughness_point(const CasePoint& point) {
     const double phase_rad = rayleigh_parameter(rough);
     Comparison compare(point);
     compare.relative("field_factor", loss.reflect_above, "rel");
-    compare.relative("power_db", level_db(loss.reflect_above), "rel");
+    compare.relative("power_db", amplitude_db(loss.reflect_above), "rel");
     compare.relative("rayleigh_parameter_2ks_cos", phase_rad, "rel");
-    compare.exact("is_rayleigh_smooth", phase_rad < 0.5 * pi);
+    compare.same_flag("is_rayleigh_smooth", phase_rad < 0.5 * pi);
     return compare.finish();
 }
 

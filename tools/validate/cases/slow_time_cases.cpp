@@ -32,9 +32,10 @@ std::vector<Quantity> doppler_point(const CasePoint& point) {
     const double wavelength_m = speed_of_light_m_s / frequency_hz;
     Comparison compare(point);
     compare.relative("phase_per_chirp_rad", phase_rad, "rel");
-    compare.wrapped("phase_wrapped_rad", wrapped_rad, two_pi, "rel");
+    compare.wrapped("phase_wrapped_rad", {wrapped_rad, two_pi}, "rel");
     compare.relative("doppler_bin", phase_rad / two_pi * n_chirps, "rel");
-    compare.wrapped("doppler_bin_aliased", wrapped_rad / two_pi * n_chirps, n_chirps, "rel");
+    const double n = n_chirps;
+    compare.wrapped("doppler_bin_aliased", {wrapped_rad / two_pi * n, n}, "rel");
     compare.relative("v_max_unambiguous", wavelength_m / (4.0 * interval_s), "rel");
     compare.relative("v_res", wavelength_m / (2.0 * n_chirps * interval_s), "rel");
     return compare.finish();

@@ -60,12 +60,11 @@ Complex dipole_over_plane(const DipoleOverPlane& dipole) {
             const double u = begin + 0.5 * panel * (1.0 + rule.nodes[i]);
             const Complex cosine(1.0, -u / decay);
             const PlaneReflection r = reflection(dipole, cosine);
-            sum += 0.5 * panel * rule.weights[i] * std::exp(-u) *
-                   (r.te - cosine * cosine * r.tm);
+            sum += 0.5 * panel * rule.weights[i] * std::exp(-u) * (r.te - cosine * cosine * r.tm);
         }
     // -j lambda/(8 pi) * integral over kz, d(kz) = -jk dt along the line, taken towards kz = k.
-    const Complex over_kz = sum * Complex(0.0, 1.0) * two_pi / wavelength_m / decay *
-                            std::polar(1.0, -decay);
+    const Complex over_kz =
+        sum * Complex(0.0, 1.0) * two_pi / wavelength_m / decay * std::polar(1.0, -decay);
     return Complex(0.0, -wavelength_m / (8.0 * pi)) * over_kz;
 }
 

@@ -18,9 +18,8 @@ int terms_for(double ka) {
 template <typename Number>
 std::vector<Number> log_derivatives(Number z, int n_terms) {
     const double size = std::abs(z);
-    const int start =
-        std::max(n_terms, static_cast<int>(std::ceil(size))) + 32 +
-        static_cast<int>(std::ceil(6.0 * std::cbrt(size)));
+    const int start = std::max(n_terms, static_cast<int>(std::ceil(size))) + 32 +
+                      static_cast<int>(std::ceil(6.0 * std::cbrt(size)));
     std::vector<Number> result(static_cast<std::size_t>(n_terms) + 1);
     Number derivative = 0.0;
     for (int n = start; n >= 0; --n) {  // derivative is that of order n
@@ -43,8 +42,9 @@ class RiccatiBessel {
     void advance() {
         ++n_;
         const double twice = (2.0 * n_ - 1.0) / ka_;
-        const double psi = n_ <= ka_ ? twice * psi_ - previous_psi_
-                                     : psi_ / (n_ / ka_ + derivative_[static_cast<std::size_t>(n_)]);
+        const double psi = n_ <= ka_
+                               ? twice * psi_ - previous_psi_
+                               : psi_ / (n_ / ka_ + derivative_[static_cast<std::size_t>(n_)]);
         const double chi = twice * chi_ - previous_chi_;
         previous_psi_ = psi_;
         previous_chi_ = chi_;

@@ -48,8 +48,8 @@ std::vector<double> window_values(const std::string& name, int n_samples) {
         return values;
     }
     for (std::size_t i = 0; n > 1 && i < n; ++i)
-        values[i] = defined_window(
-            *window, two_pi * static_cast<double>(i) / static_cast<double>(n - 1));
+        values[i] =
+            defined_window(*window, two_pi * static_cast<double>(i) / static_cast<double>(n - 1));
     return values;
 }
 
@@ -88,10 +88,10 @@ Complex bin_of(std::span<const Complex> samples, const Transform& transform, int
 }
 
 std::vector<double> real_amplitudes(std::span<const double> samples, const Transform& transform,
-                                    int first, int last) {
+                                    const BinSpan& bins) {
     const double scale = 2.0 / sum_of(transform.window);
     std::vector<double> amplitudes;
-    for (int k = first; k <= last; ++k)
+    for (int k = bins.first; k <= bins.last; ++k)
         amplitudes.push_back(scale * std::abs(polynomial(samples, transform, k)));
     return amplitudes;
 }

@@ -27,10 +27,16 @@ struct Transform {
 /// -120 dB: cases hold 0.5 dB at -110 dB.
 Complex bin_of(std::span<const Complex> samples, const Transform& transform, int k);
 
-/// Amplitudes of bins [first, last] of a real signal, a tone of amplitude 1 reading 1 (twice what
-/// `bin_of` gives).
+/// Both ends included.
+struct BinSpan {
+    int first;
+    int last;
+};
+
+/// Amplitudes of some bins of a real signal, a tone of amplitude 1 reading 1 (twice what `bin_of`
+/// gives).
 std::vector<double> real_amplitudes(std::span<const double> samples, const Transform& transform,
-                                    int first, int last);
+                                    const BinSpan& bins);
 
 /// In dB.
 std::vector<double> levels_db(std::span<const double> amplitudes);

@@ -1,0 +1,41 @@
+#include "sim/dataset/hdf5_library.hpp"
+
+namespace specula {
+
+namespace {
+
+/// One line of what HDF5 says; of the system's refusals, which it reports at length and with the
+/// time of day, the system's own words.
+std::string in_one_line(const std::string& description) {
+    const std::string mark = "error message = '";
+    const auto found = description.find(mark);
+    if (found == std::string::npos) return description.substr(0, description.find('\n'));
+    const auto begin = found + mark.size();
+    return description.substr(begin, description.find('\'', begin) - begin);
+}
+
+}  // namespace
+
+std::string last_hdf5_reason() {
+    std::string reason = "unknown reason";
+    H5Ewalk2(
+        H5E_DEFAULT, H5E_WALK_UPWARD,
+        [](unsigned depth, const H5E_error2_t* error, void* text) -> herr_t {
+            if (depth == 0 && error->desc) *static_cast<std::string*>(text) = error->desc;
+            return 0;
+        },
+        &reason);
+    return in_one_line(reason);
+}
+
+void tame_hdf5() {
+    static const bool tamed = [] {
+        H5dont_atexit();
+        H5open();
+        H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+        return true;
+    }();
+    (void)tamed;
+}
+
+}  // namespace specula
