@@ -8,6 +8,7 @@ Complex longitudinal_wavenumber(const Electrics& medium, double sin_squared) {
 }
 
 Reflection fresnel(const Electrics& from, const Electrics& to, double sin_squared) {
+    if (from.permittivity == to.permittivity && from.permeability == to.permeability) return {};
     const Complex q_from = longitudinal_wavenumber(from, sin_squared);
     const Complex q_to = longitudinal_wavenumber(to, sin_squared);
     const Complex te_from = to.permeability * q_from, te_to = from.permeability * q_to;

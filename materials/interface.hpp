@@ -19,6 +19,7 @@ inline constexpr Reflection pec_reflection{{-1.0, 0.0}, {1.0, 0.0}};
 Complex longitudinal_wavenumber(const Electrics& medium, double sin_squared);
 
 /// Fresnel coefficients at the flat face from medium `from` to medium `to`.
+/// Equal media have no face between them: both coefficients are 0, at grazing incidence too.
 /// @eq PHYSICS.md#fresnel; ITU-R P.2040-3 equations (31a), (31b), with permeability
 Reflection fresnel(const Electrics& from, const Electrics& to, double sin_squared);
 

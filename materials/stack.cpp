@@ -1,7 +1,9 @@
 #include "materials/stack.hpp"
 
+#include <algorithm>
 #include <cmath>
 
+#include "materials/rough_face.hpp"
 #include "sim/core/constants.hpp"
 #include "sim/core/expect.hpp"
 
@@ -9,39 +11,13 @@ namespace specula {
 
 namespace {
 
-struct Face {
-    const Electrics& above;
-    const Electrics& below;
-    double roughness_m;
-};
-
-/// The factors by which a rough face lowers its coherent coefficients.
-struct FaceLoss {
-    double reflect_above = 1.0;
-    double reflect_below = 1.0;
-    double transmit_twice = 1.0;
-};
-
-FaceLoss face_loss(const Face& face, double wavenumber_rad_m, double sin_squared) {
-    if (face.roughness_m == 0.0) return {};
-    const double ks = wavenumber_rad_m * face.roughness_m;
-    const double above = ks * longitudinal_wavenumber(face.above, sin_squared).real();
-    const double below = ks * longitudinal_wavenumber(face.below, sin_squared).real();
-    return {.reflect_above = std::exp(-2.0 * above * above),
-            .reflect_below = std::exp(-2.0 * below * below),
-            .transmit_twice = std::exp(-(above - below) * (above - below))};
-}
-
 /// A face with a reflection `below` already referred to just beneath it.
 Complex joined(Complex r, Complex below, const FaceLoss& loss) {
     const Complex through = (1.0 - r * r) * loss.transmit_twice * below;
     return r * loss.reflect_above + through / (1.0 + r * loss.reflect_below * below);
 }
 
-}  // namespace
-
-Reflection stack_reflection(const Stack& stack, double cos_incidence) {
-    SPECULA_EXPECT(cos_incidence > 0.0 && cos_incidence <= 1.0);
+Reflection without_grain(const Stack& stack, double cos_incidence) {
     const double sin_squared = 1.0 - cos_incidence * cos_incidence;
     const double k = two_pi * stack.frequency_hz / speed_of_light_m_s;
     const Electrics air;
@@ -66,6 +42,36 @@ Reflection stack_reflection(const Stack& stack, double cos_incidence) {
         below = {joined(face.te, below.te * twice, loss), joined(face.tm, below.tm * twice, loss)};
     }
     return below;
+}
+
+}  // namespace
+
+bool has_grain(const Stack& stack) {
+    return std::any_of(stack.layers.begin(), stack.layers.end(),
+                       [](const Layer& layer) { return layer.grain.has_value(); });
+}
+
+PrincipalStacks principal_stacks(const Stack& stack) {
+    PrincipalStacks principal{stack, stack};
+    for (std::size_t i = 0; i < stack.layers.size(); ++i) {
+        if (!stack.layers[i].grain) continue;
+        principal.along.layers[i].medium = stack.layers[i].grain->along;
+        principal.across.layers[i].medium = stack.layers[i].grain->across;
+        principal.along.layers[i].grain.reset();
+        principal.across.layers[i].grain.reset();
+    }
+    return principal;
+}
+
+Reflection stack_reflection(const Stack& stack, double cos_incidence) {
+    SPECULA_EXPECT(cos_incidence > 0.0 && cos_incidence <= 1.0);
+    if (!has_grain(stack)) return without_grain(stack, cos_incidence);
+    const PrincipalStacks principal = principal_stacks(stack);
+    const Reflection along = without_grain(principal.along, cos_incidence);
+    const Reflection across = without_grain(principal.across, cos_incidence);
+    const double cosine = std::cos(stack.grain_to_field_rad), share = cosine * cosine;
+    return {share * along.te + (1.0 - share) * across.te,
+            share * along.tm + (1.0 - share) * across.tm};
 }
 
 }  // namespace specula

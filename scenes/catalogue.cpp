@@ -59,7 +59,8 @@ std::string Catalogue::material_name(Section& section, const std::string& key) c
 
 std::string Catalogue::backing_name(Section& section, const std::string& key) const {
     std::vector<std::string> options{"air", "metal"};
-    for (const auto& name : materials.names()) options.push_back(name);
+    for (const auto& name : materials.names())
+        if (name != "air") options.push_back(name);
     return section.choice(key, options, "air");
 }
 

@@ -1,5 +1,6 @@
 #include "scenes/chirp.hpp"
 
+#include <bit>
 #include <cmath>
 
 #include "sim/core/constants.hpp"
@@ -42,6 +43,9 @@ Chirp Chirp::read(Section& section) {
         .filter_latency_samples = section.count("filter_latency_samples", Range::between(0, 64), 0),
         .ramp_end_s = section.quantity("ramp_end", Unit::time, Range::above(0.0)),
     };
+    if (!std::has_single_bit(static_cast<unsigned>(chirp.n_samples)))
+        section.fail("n_samples", "is not a power of two, so range bins would be padded ones",
+                     "use 64, 128, 256 or 512");
     if (chirp.settle_samples() < 0)
         section.fail("skip_samples", "is shorter than the latency of the filter",
                      format("give at least {}", chirp.filter_latency_samples));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "materials/provenance.hpp"
 #include "sim/core/document.hpp"
 
 namespace specula {
@@ -24,6 +25,8 @@ struct Chirp {
     double centre_hz() const;
     /// Swept while the samples are taken: slope * n_samples / rate.
     double bandwidth_hz() const;
+    /// The frequencies at which samples are taken.
+    FrequencyBand band() const { return {frequency_hz(0), frequency_hz(n_samples - 1)}; }
     /// Range bin of an n_samples-point transform: c / (2 B).
     double bin_m() const;
     double bin_of(double range_m) const { return range_m / bin_m(); }

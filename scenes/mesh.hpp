@@ -16,7 +16,7 @@ struct Mesh {
 };
 
 /// The face of a plate in its place. A flat one is two triangles; a bowed one is cut so finely
-/// that no triangle leaves the surface by more than a 1/4096 of the bow.
+/// that no triangle leaves the surface by more than 1/2048 of the bow.
 Mesh triangulate(const Plate& plate, const Placement& placement);
 
 }  // namespace specula

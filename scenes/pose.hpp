@@ -16,8 +16,8 @@ struct Pose {
     };
 
     double height_m = 0.45;  ///< phase centre above the untilted face, > 0
-    Tilt sensor;             ///< turns the radar about its own phase centre
-    Tilt sample;             ///< turns the sample about `pivot_m`
+    Tilt sensor{};           ///< turns the radar about its own phase centre
+    Tilt sample{};           ///< turns the sample about `pivot_m`
     Vector3 pivot_m = Vector3::Zero();
     double offset_x_m = 0.0;  ///< centre of the sample beside the radar's axis
     double offset_y_m = 0.0;

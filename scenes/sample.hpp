@@ -1,21 +1,43 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "materials/stack.hpp"
+#include "materials/validity.hpp"
 #include "scenes/plate.hpp"
 
 namespace specula {
 
+/// One of several layers of a sample.
+struct SampleLayer {
+    std::string material;
+    double thickness_m = 0.005;  ///< > 0
+    double roughness_m = 0.0;    ///< rms height of its upper face, >= 0
+    bool turned = false;         ///< its grain runs across that of the sample, as in plywood
+};
+
 /// The piece of material under the radar.
 struct Sample {
-    std::string material;
+    std::string material;  ///< of a layered one, that of its uppermost layer
     Plate face;
-    double thickness_m = 0.005;        ///< > 0
+    double thickness_m = 0.005;        ///< > 0; of a layered one, of all layers together
     double roughness_m = 0.0;          ///< rms height of the face, >= 0
     double permittivity_factor = 1.0;  ///< this piece over the library's material, real part
     double loss_factor = 1.0;          ///< the same for the loss tangent
     std::string backing = "air";       ///< "air", "metal" (perfect), or a material in contact
+    std::vector<SampleLayer>
+        layers{};            ///< the one facing the radar first; empty: all is `material`
+    double grain_rad = 0.0;  ///< from the sample's y axis to the grain, about its normal
+
+    /// Its layers, be there one or several.
+    std::vector<SampleLayer> all_layers() const;
+    /// "limestone", or "rust on iron".
+    std::string title() const;
 };
+
+/// The warnings of all materials in a sample, its backing included.
+std::vector<BandWarning> band_warnings(const Sample& sample, const Library& library,
+                                       const FrequencyBand& used);
 
 }  // namespace specula

@@ -1,5 +1,8 @@
 #include "scenes/scene.hpp"
 
+#include <cmath>
+
+#include "scenes/sample_layers.hpp"
 #include "sim/core/constants.hpp"
 #include "sim/core/format.hpp"
 
@@ -11,16 +14,12 @@ constexpr double steepest_rad = 85.0 * pi / 180.0;
 
 Sample read_sample(Section section, const Catalogue& catalogue) {
     Sample sample;
-    sample.material = catalogue.material_name(section, "material");
     section.choice("shape", {"plate"}, "plate");
     const auto size = section.quantities("size", Unit::length, 2, Range::inside(0.0, 10.0));
     sample.face = {.size_x_m = size[0],
                    .size_y_m = size[1],
                    .bow_m = section.quantity("bow", Unit::length, Range::between(-0.05, 0.05), 0.)};
-    sample.thickness_m = section.quantity("thickness", Unit::length, Range::inside(0.0, 1.0));
-    sample.roughness_m =
-        section.quantity("roughness", Unit::length, Range::between(0.0, 0.002), 0.0);
-    sample.backing = catalogue.backing_name(section, "backing");
+    read_matter(section, catalogue, sample);
     section.finish();
     return sample;
 }
@@ -39,8 +38,9 @@ Pose read_pose(Section section) {
     if (section.has_quantity("pivot", Unit::length)) {
         const auto p = section.quantities("pivot", Unit::length, 3, Range::between(-10.0, 10.0));
         if (tilted == "sensor")
-            section.fail("pivot_mm", "a tilted sensor turns about its own phase centre",
-                         "remove it, or write tilted = \"sample\"");
+            section.fail_quantity("pivot", Unit::length,
+                                  "a tilted sensor turns about its own phase centre",
+                                  "remove it, or write tilted = \"sample\"");
         pose.pivot_m = {p[0], p[1], p[2]};
     }
     if (section.has_quantity("offset", Unit::length)) {
@@ -58,7 +58,7 @@ std::string blind_reason(const Radar& radar, double height_m) {
         return format("is beyond the farthest range of the chirp of {}, {:.3g} m", radar.name,
                       radar.chirp.max_range_m());
     if (radar.chirp.bin_of(height_m) < 3.0)
-        return format("is bin {:.2g} of the chirp of {}, among the leakage of bins 0 to 2",
+        return format("is bin {:.2f} of the chirp of {}, among the leakage of bins 0 to 2",
                       radar.chirp.bin_of(height_m), radar.name);
     return "";
 }
@@ -72,11 +72,16 @@ Scene read_scene(const std::filesystem::path& file, const Catalogue& catalogue) 
     scene.pose = read_pose(geometry);
     const std::string blind = blind_reason(scene.radar, scene.pose.height_m);
     if (!blind.empty())
-        geometry.fail(geometry.has("height_mm") ? "height_mm" : "height_m", blind,
-                      format("choose a height of {:.3g} to {:.3g} m, or another radar",
-                             3.0 * scene.radar.chirp.bin_m(), scene.radar.chirp.max_range_m()));
+        geometry.fail_quantity("height", Unit::length, blind,
+                               format("choose a height of {:.0f} to {:.0f} mm, or another radar",
+                                      std::ceil(3e3 * scene.radar.chirp.bin_m()),
+                                      std::floor(1e3 * scene.radar.chirp.max_range_m())));
     section.finish();
     return scene;
+}
+
+std::vector<BandWarning> band_warnings(const Scene& scene, const Library& library) {
+    return band_warnings(scene.sample, library, scene.radar.chirp.band());
 }
 
 }  // namespace specula

@@ -16,6 +16,9 @@ struct Scene {
 /// Reads a scene file (keys: scenes/README.md) and refuses what cannot be.
 Scene read_scene(const std::filesystem::path& file, const Catalogue& catalogue);
 
+/// What of the sample's materials is not known to hold at the radar's frequencies.
+std::vector<BandWarning> band_warnings(const Scene& scene, const Library& library);
+
 /// Reads [geometry] with every key in it.
 Pose read_pose(Section section);
 

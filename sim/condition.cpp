@@ -47,6 +47,10 @@ Condition read_condition(Section section, const Radar& radar, double nominal_hei
     condition.elevation =
         section.choice("tilt_plane", {"azimuth", "elevation"}, "azimuth") == "elevation";
     if (section.has_quantity("pivot", Unit::length)) {
+        if (condition.tilts_sensor)
+            section.fail(section.has("pivot_m") ? "pivot_m" : "pivot_mm",
+                         "a tilted sensor turns about its own phase centre",
+                         "remove it, or write tilted = \"sample\"");
         const auto p = section.quantities("pivot", Unit::length, 3, Range::between(-10.0, 10.0));
         condition.pivot_m = {p[0], p[1], p[2]};
     }

@@ -24,6 +24,11 @@ StreamKey key_of(const Bench& bench, const SessionId& id, std::string_view purpo
             .item = item};
 }
 
+/// For truth columns: a number of at most 21 bits of one world, made unique over worlds.
+std::int32_t over_worlds(std::uint32_t number, const SessionId& id) {
+    return static_cast<std::int32_t>((static_cast<std::uint32_t>(id.world) << 21) | number);
+}
+
 /// The number of a physical piece in its world: one per class for the known, then one per class
 /// and session for the new.
 int piece_of(const Condition& condition, const SessionId& id) {
@@ -35,12 +40,14 @@ Sample draw_sample(const Bench& bench, const Condition& condition, const Session
     const SampleLaw& law = bench.population.classes[static_cast<std::size_t>(id.label)];
     Stream stream(
         key_of(bench, id, "sample", static_cast<std::uint32_t>(piece_of(condition, id))));
+    // The tail of a normal law that would lie below zero is folded back.
+    const auto positive = [&](const Distribution& of) { return std::abs(of.sample(stream)); };
     Sample sample = law.nominal;
-    sample.thickness_m = law.thickness_m.sample(stream);
+    sample.thickness_m = positive(law.thickness_m);
     sample.face.bow_m = law.bow_m.sample(stream);
-    sample.roughness_m = std::abs(law.roughness_m.sample(stream));
-    sample.permittivity_factor = law.permittivity_factor.sample(stream);
-    sample.loss_factor = law.loss_factor.sample(stream);
+    sample.roughness_m = positive(law.roughness_m);
+    sample.permittivity_factor = positive(law.permittivity_factor);
+    sample.loss_factor = positive(law.loss_factor);
     return sample;
 }
 
@@ -85,8 +92,8 @@ Truth session_truth(const Condition& condition, const SessionId& id, const Sampl
     Truth truth;
     truth.label = static_cast<std::uint8_t>(id.label);
     truth.world = id.world;
-    truth.sample = piece_of(condition, id);
-    truth.session = static_cast<std::int32_t>(item_of(condition, id));
+    truth.sample = over_worlds(static_cast<std::uint32_t>(piece_of(condition, id)), id);
+    truth.session = over_worlds(item_of(condition, id), id);
     truth.height_m = pose.height_m;
     truth.nominal_height_m = condition.pose(id.session).height_m;
     truth.sensor_tilt_x_rad = pose.sensor.about_x_rad;
@@ -110,7 +117,8 @@ Truth session_truth(const Condition& condition, const SessionId& id, const Sampl
 
 SessionFrames simulate_session(const Bench& bench, const Condition& condition,
                                const SessionId& id) {
-    SPECULA_EXPECT(id.session < condition.sessions_per_class());
+    SPECULA_EXPECT(id.session >= 0 && id.session < condition.sessions_per_class());
+    SPECULA_EXPECT(id.world >= 0 && id.world < SessionId::most_worlds);
     const Sample sample = draw_sample(bench, condition, id);
     const Placed placed = draw_placement(bench, condition, id);
     const Channel echo = echo_channel(bench.radar, sample, placed.pose, bench.materials);

@@ -21,6 +21,8 @@ struct SessionId {
     int world = 0;
     int label = 0;  ///< class
     int session = 0;
+
+    static constexpr int most_worlds = 1024;
 };
 
 struct SessionFrames {

@@ -13,7 +13,7 @@ Channel echo_channel(const Radar& radar, const Sample& sample, const Pose& pose,
     const Target target({plate_body(sample.face, sample_placement(pose), true, 0.0)});
     const Scatter scatter = trace(target, antennas_of(radar, radar_placement(pose)),
                                   {.highest_hz = comb.last_hz()});
-    const Reflector reflectors[] = {reflector_of(sample, materials)};
+    const Reflector reflectors[] = {reflector_of(sample, materials, pose.yaw_rad)};
     return channel_of(scatter, reflectors, comb);
 }
 

@@ -3,11 +3,13 @@
 #include <cmath>
 
 #include "sim/core/constants.hpp"
+#include "sim/core/expect.hpp"
 
 namespace specula {
 
 HighPass::HighPass(double corner_hz, double sample_rate_hz) {
     if (corner_hz <= 0.0) return;
+    SPECULA_EXPECT(corner_hz < 0.5 * sample_rate_hz);
     const double warped = std::tan(pi * corner_hz / sample_rate_hz);
     first_ = {.gain = 1.0 / (1.0 + warped),
               .feedback = (1.0 - warped) / (1.0 + warped),

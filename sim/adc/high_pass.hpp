@@ -7,11 +7,12 @@ namespace specula {
 ///
 /// Bilinear transform, warped so that the corner falls where it should.
 /// @eq    PHYSICS.md#high-pass
-/// Limit: the bilinear transform bends frequencies near half the sample rate; with the corner below
-///        a twentieth of the rate the response stays within 0.05 dB of H(f) up to 0.4 of the rate.
+/// Limit: the bilinear transform bends frequencies near half the sample rate. With the corner at a
+///        share x of the rate, the level lies within 60 x^2 dB of H(f) and the phase within 170 x
+///        degrees, up to 0.4 of the rate: 0.07 dB and 6 degrees for 175 kHz at 5 MHz.
 class HighPass {
   public:
-    /// A corner of 0 lets everything through.
+    /// A corner of 0 lets everything through; it must lie below half the sample rate.
     HighPass(double corner_hz, double sample_rate_hz);
 
     /// The next output for the next input; starts from rest.

@@ -40,7 +40,8 @@ AdcFrame ReceiverChain::receive(const ReceiverInput& input, const FrameState& st
     const int n_rx = static_cast<int>(radar_.rx.size());
     const int settle = radar_.chirp.settle_samples();
     SPECULA_EXPECT(input.echo.n_rx == n_rx && input.still.n_rx == n_rx);
-    const double gain = signal_lsb_ * std::pow(10.0, state.gain_db / 20.0);
+    const double drift = std::pow(10.0, state.gain_db / 20.0);
+    const double gain = signal_lsb_ * drift, noise_lsb = noise_lsb_ * drift;
     const auto n_samples = static_cast<std::size_t>(input.echo.n_samples);
     std::vector<Complex> turn(n_samples);
     for (std::size_t i = 0; i < n_samples; ++i)
@@ -63,7 +64,7 @@ AdcFrame ReceiverChain::receive(const ReceiverInput& input, const FrameState& st
                 const double arriving = (echo[i] * turn[static_cast<std::size_t>(i)]).real() +
                                         gain * still[i].real();
                 const double filtered =
-                    filter.step(polarity * arriving + noise_lsb_ * noise.normal());
+                    filter.step(polarity * arriving + noise_lsb * noise.normal());
                 if (i >= settle)
                     frame.codes.push_back(
                         quantise(filtered + channel.dc_offset_lsb, radar_.adc_full_scale_lsb()));

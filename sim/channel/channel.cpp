@@ -1,5 +1,7 @@
 #include "sim/channel/channel.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "sim/channel/coefficients.hpp"
@@ -32,9 +34,25 @@ std::vector<double> frequencies_of(const FrequencyComb& comb) {
     return frequencies_hz;
 }
 
+/// Where the angle dependence is looked at, to see how many polynomials it needs.
+std::array<double, 5> looks_of(const FrequencyComb& comb) {
+    return {comb.first_hz, comb.at(comb.n / 4), comb.at(comb.n / 2), comb.at(3 * comb.n / 4),
+            comb.last_hz()};
+}
+
+/// Any route, every coefficient worked out where it is needed: for what no short series describes.
+void add_plainly(const RouteScatter& route, std::span<const Reflector> reflectors,
+                 const FrequencyComb& comb, Channel& channel) {
+    const Scatter alone{.n_rx = channel.n_rx, .routes = {route}};
+    for (int rx = 0; rx < channel.n_rx; ++rx)
+        for (int i = 0; i < comb.n; ++i)
+            channel.of_rx(rx)[i] += direct_sum(alone, rx, reflectors, comb.at(i));
+}
+
 /// A route without events: few frequencies, then interpolation.
-void add_straight(const RouteScatter& scatter, const Reflector& reflector,
+void add_straight(const RouteScatter& scatter, std::span<const Reflector> reflectors,
                   const FrequencyComb& comb, Channel& channel) {
+    const Reflector& reflector = reflectors[static_cast<std::size_t>(scatter.route.body)];
     const Scatter::Extent path = path_extent_m(scatter), cosine = cosine_extent(scatter);
     if (path.high == 0.0) return;
     const Event currents = currents_of(scatter.route);
@@ -44,8 +62,9 @@ void add_straight(const RouteScatter& scatter, const Reflector& reflector,
     MomentGrid grid{{comb.first_hz, comb.last_hz(), 1}, {cosine.low, cosine.high, 1}, reference_m};
     grid.frequency_hz.n =
         std::min(points_for_phase(half_band_rad_m * 0.5 * (path.high - path.low)), 4 * comb.n);
-    const double looks_hz[] = {comb.first_hz, comb.at(comb.n / 2), comb.last_hz()};
+    const auto looks_hz = looks_of(comb);
     grid.cos_incidence.n = polynomials_needed(currents, reflector, looks_hz, grid.cos_incidence);
+    if (grid.cos_incidence.n == 0) return add_plainly(scatter, reflectors, comb, channel);
 
     const std::vector<double> frequencies_hz = frequencies_of(comb);
     const auto from_nodes = interpolation_matrix(grid.frequency_hz, frequencies_hz);
@@ -71,16 +90,11 @@ void add_straight(const RouteScatter& scatter, const Reflector& reflector,
     }
 }
 
-/// The coefficients of a route's events and currents at one frequency, ready for any cosine.
-struct RouteSeries {
-    std::vector<AngularSeries> series;  ///< (event ..., currents last)
-    std::vector<ChebyshevGrid> cosines;
-};
-
+/// The interval and number of polynomials of each event, and of the currents, which come last.
 std::vector<ChebyshevGrid> route_cosines(const RouteScatter& scatter,
                                          std::span<const Reflector> reflectors,
                                          const FrequencyComb& comb) {
-    const double looks_hz[] = {comb.first_hz, comb.at(comb.n / 2), comb.last_hz()};
+    const auto looks_hz = looks_of(comb);
     std::vector<ChebyshevGrid> grids;
     const auto add = [&](const Event& event, const Scatter::Extent& extent) {
         ChebyshevGrid grid{extent.low, extent.high, 1};
@@ -95,7 +109,7 @@ std::vector<ChebyshevGrid> route_cosines(const RouteScatter& scatter,
 }
 
 TeTm value_of(const AngularSeries& series, const ChebyshevGrid& grid, double cosine) {
-    std::array<double, 16> polynomials{};
+    std::array<double, most_polynomials> polynomials{};
     const auto n = series.te.size();
     chebyshev_polynomials(grid.unit(cosine), std::span(polynomials).first(n));
     TeTm value{};
@@ -131,6 +145,9 @@ void add_eventful(const RouteScatter& scatter, std::span<const Reflector> reflec
                   const FrequencyComb& comb, Channel& channel) {
     const std::vector<Event> events = events_of(scatter.route);
     const std::vector<ChebyshevGrid> grids = route_cosines(scatter, reflectors, comb);
+    const auto unwieldy = [](const ChebyshevGrid& grid) { return grid.n == 0; };
+    if (std::any_of(grids.begin(), grids.end(), unwieldy))
+        return add_plainly(scatter, reflectors, comb, channel);
     std::vector<TeTm> at(events.size());
     for (int i = 0; i < comb.n; ++i) {
         std::vector<AngularSeries> series;
@@ -179,8 +196,7 @@ Channel channel_of(const Scatter& scatter, std::span<const Reflector> reflectors
                     .reference_path_m = reference_path_m(scatter)};
     for (const RouteScatter& route : scatter.routes) {
         if (route.route.n_events() == 0)
-            add_straight(route, reflectors[static_cast<std::size_t>(route.route.body)], comb,
-                         channel);
+            add_straight(route, reflectors, comb, channel);
         else
             add_eventful(route, reflectors, comb, channel);
     }

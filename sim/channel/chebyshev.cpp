@@ -15,7 +15,7 @@ double ChebyshevGrid::unit(double x) const {
 }
 
 int points_for_phase(double a_rad) {
-    return static_cast<int>(std::ceil(a_rad + 5.0 * std::cbrt(a_rad))) + 9;
+    return static_cast<int>(std::ceil(a_rad + 6.0 * std::cbrt(a_rad))) + 9;
 }
 
 std::vector<double> interpolation_matrix(const ChebyshevGrid& grid,

@@ -9,8 +9,8 @@ namespace specula {
 
 namespace {
 
-constexpr int most_polynomials = 12;
-constexpr double left_out = 1e-7;
+constexpr int fewest_polynomials = 12;  ///< tried first
+constexpr double left_out = 1e-8;
 
 double thickness_m(const Stack& stack) {
     double sum = 0.0;
@@ -72,14 +72,17 @@ AngularSeries angular_series(const Event& event, const Stack& stack, const Cheby
 
 int polynomials_needed(const Event& event, const Reflector& reflector,
                        std::span<const double> frequencies_hz, ChebyshevGrid cosines) {
-    cosines.n = most_polynomials;
-    std::size_t needed = 1;
-    for (const double frequency_hz : frequencies_hz) {
-        const AngularSeries s = angular_series(event, reflector(frequency_hz), cosines);
-        for (std::size_t k = needed; k < s.te.size(); ++k)
-            if (std::abs(s.te[k]) + std::abs(s.tm[k]) > left_out) needed = k + 1;
+    for (cosines.n = fewest_polynomials; cosines.n <= most_polynomials; cosines.n *= 2) {
+        std::size_t needed = 1;
+        for (const double frequency_hz : frequencies_hz) {
+            const AngularSeries s = angular_series(event, reflector(frequency_hz), cosines);
+            for (std::size_t k = needed; k < s.te.size(); ++k)
+                if (std::abs(s.te[k]) + std::abs(s.tm[k]) > left_out) needed = k + 1;
+        }
+        // A series cut too short folds its rest onto all of its terms, the last ones included.
+        if (static_cast<int>(needed) <= cosines.n * 3 / 4) return static_cast<int>(needed);
     }
-    return static_cast<int>(needed);
+    return 0;
 }
 
 }  // namespace specula

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "materials/transmission.hpp"
 #include "sim/channel/chebyshev.hpp"
 #include "sim/channel/reflector.hpp"
 #include "sim/trace/scatter.hpp"
@@ -32,8 +33,12 @@ struct AngularSeries {
 /// Of an event, or of the currents (then `event.kind` is reflect), over an interval of cosines.
 AngularSeries angular_series(const Event& event, const Stack& stack, const ChebyshevGrid& cosines);
 
+/// The largest number of polynomials that a series may have.
+inline constexpr int most_polynomials = 192;
+
 /// How many polynomials carry the angle dependence of a body over an interval of cosines, at the
-/// given frequencies, with coefficients left out below 1e-7.
+/// given frequencies, with coefficients left out below 1e-8; at most `most_polynomials`. A thick
+/// sheet of low loss needs many.
 int polynomials_needed(const Event& event, const Reflector& reflector,
                        std::span<const double> frequencies_hz, ChebyshevGrid cosines);
 

@@ -11,6 +11,22 @@
 
 namespace specula {
 
+namespace {
+
+/// A dotted key nests as deep as it is long, and the TOML library recurses.
+void refuse_long_lines(const std::string& text, const std::string& name) {
+    constexpr std::size_t longest = 4096;
+    std::size_t line = 1, begin = 0;
+    for (std::size_t end = 0; begin < text.size(); begin = end + 1, ++line) {
+        end = std::min(text.find('\n', begin), text.size());
+        if (end - begin > longest)
+            throw InputError(format("{}:{}: is longer than {} characters; break the line", name,
+                                    line, longest));
+    }
+}
+
+}  // namespace
+
 bool Range::holds(double value) const {
     return std::isfinite(value) && (min_excluded ? value > min : value >= min) &&
            (max_excluded ? value < max : value <= max);
@@ -33,6 +49,7 @@ Section Section::read(const std::filesystem::path& file) {
 }
 
 Section Section::parse(const std::string& text, const std::string& name) {
+    refuse_long_lines(text, name);
     auto source = std::make_shared<DocumentSource>();
     source->name = name;
     source->text = text;
@@ -62,9 +79,11 @@ std::string Section::choice(const std::string& key, const std::vector<std::strin
     const std::string value = text(key);
     if (std::find(options.begin(), options.end(), value) == options.end()) {
         const std::string near = nearest_word(value, options);
-        fail(key, "is not known",
-             (near.empty() ? "" : "did you mean \"" + near + "\"? ") + "use " +
-                 quoted_list(options));
+        const std::string guess = near.empty() ? "" : "did you mean \"" + near + "\"?";
+        // Of a long list, the nearest is enough.
+        const std::string all =
+            options.size() > 12 && !near.empty() ? "" : "use " + quoted_list(options);
+        fail(key, "is not known", guess + (guess.empty() || all.empty() ? "" : " ") + all);
     }
     return value;
 }
@@ -88,6 +107,7 @@ int Section::count(const std::string& key, Range range) {
     if (!node.is_integer())
         table_->fail(key, &node, "is not a whole number",
                      "give a whole number " + described(range, 1.0, ""));
+    range.min = std::max(range.min, static_cast<double>(std::numeric_limits<int>::min()));
     range.max = std::min(range.max, static_cast<double>(std::numeric_limits<int>::max()));
     return static_cast<int>(table_->checked_number({key, &node, 1.0, ""}, node, range));
 }
@@ -158,6 +178,11 @@ bool Section::has_quantity(const std::string& name, Unit unit) const {
     return table_->find_quantity(name, unit).has_value();
 }
 
+bool Section::has_section(const std::string& key) const {
+    const toml::node* node = table_->find(key);
+    return node != nullptr && node->is_table();
+}
+
 Section Section::section(const std::string& key) {
     const toml::node& node = table_->need(key);
     const toml::table* inner = node.as_table();
@@ -183,22 +208,26 @@ std::vector<Section> Section::sections(const std::string& key) {
 }
 
 void Section::finish() const {
-    const std::vector<std::string> known(table_->known.begin(), table_->known.end());
-    for (const auto& [key, node] : *table_->table) {
-        const std::string name(key.str());
-        if (table_->known.count(name)) continue;
-        const std::string near = nearest_word(name, known);
-        const std::string where = table_->path.empty() ? "this file" : "this table";
-        const auto line = key.source().begin.line;
-        throw InputError(format("{}:{}: {}{} = {}: is not a key of {}; {}", table_->source->name,
-                                line, table_->path, name, shown_value(node), where,
-                                near.empty() ? "remove it" : "did you mean " + near + "?"));
-    }
+    const toml::key* first = nullptr;  // by line
+    for (const auto& [key, node] : *table_->table)
+        if (!table_->known.count(std::string(key.str())) &&
+            (!first || key.source().begin < first->source().begin))
+            first = &key;
+    if (first) table_->fail_unknown(std::string(first->str()));
 }
 
 void Section::fail(const std::string& key, const std::string& problem,
                    const std::string& remedy) const {
     table_->fail(key, table_->table->get(key), problem, remedy);
+}
+
+void Section::fail_quantity(const std::string& name, Unit unit, const std::string& problem,
+                            const std::string& remedy) const {
+    const std::string key = name + "_";
+    for (const UnitSuffix& suffix : suffixes_of(unit))
+        if (table_->table->contains(key + std::string(suffix.suffix)))
+            fail(key + std::string(suffix.suffix), problem, remedy);
+    fail(key + std::string(suffixes_of(unit).front().suffix), problem, remedy);
 }
 
 const std::string& Section::file() const {

@@ -72,6 +72,8 @@ class Section {
     bool has(const std::string& key) const;
     bool has_quantity(const std::string& name, Unit unit) const;
 
+    /// Whether the value of `key` is a table.
+    bool has_section(const std::string& key) const;
     Section section(const std::string& key);
     std::optional<Section> find_section(const std::string& key);
     /// An array of tables ([[key]]); empty where there is none.
@@ -83,6 +85,9 @@ class Section {
     /// Throws InputError for a key that was read (or the section itself where there is none).
     [[noreturn]] void fail(const std::string& key, const std::string& problem,
                            const std::string& remedy) const;
+    /// The same for a quantity, under the key that the file gives it.
+    [[noreturn]] void fail_quantity(const std::string& name, Unit unit, const std::string& problem,
+                                    const std::string& remedy) const;
 
     const std::string& file() const;
     /// The whole text of the file, byte for byte.
@@ -95,8 +100,8 @@ class Section {
     std::shared_ptr<Table> table_;
 };
 
-/// Of `known`, the word with the fewest edits to `word`; empty where none is near (more than a
-/// third of the letters differ).
+/// Of `known`, the word with the fewest edits to `word`; empty where none is near: more than two
+/// edits and a third of the letters, or, in a short word, more than half of them.
 std::string nearest_word(const std::string& word, const std::vector<std::string>& known);
 
 /// `"a", "b" or "c"`.

@@ -8,7 +8,29 @@
 
 namespace specula {
 
-std::string shown_value(const toml::node& node) {
+namespace {
+
+/// Control characters would break the line, or do worse to a terminal.
+std::string printable(const std::string& text) {
+    std::string line;
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        line += c == '\n'                     ? "\\n"
+                : byte < ' ' || byte == 0x7f ? format("\\x{:02x}", byte)
+                                             : std::string(1, c);
+    }
+    return line;
+}
+
+/// At most 80 bytes, whole UTF-8 characters.
+std::string shortened(std::string line) {
+    if (line.size() <= 80) return line;
+    std::size_t end = 77;
+    while (end > 0 && (static_cast<unsigned char>(line[end]) & 0xc0) == 0x80) --end;
+    return line.substr(0, end) + "...";
+}
+
+std::string whole_value(const toml::node& node) {
     if (const auto* text = node.as_string()) return format("\"{}\"", text->get());
     if (const auto* whole = node.as_integer()) return format("{}", whole->get());
     if (const auto* real = node.as_floating_point()) return format("{}", real->get());
@@ -17,15 +39,36 @@ std::string shown_value(const toml::node& node) {
     if (const auto* array = node.as_array()) {
         std::string list = "[";
         for (const toml::node& item : *array)
-            list += (list.size() > 1 ? ", " : "") + shown_value(item);
+            list += (list.size() > 1 ? ", " : "") + whole_value(item);
         return list + "]";
     }
     return "(a date or time)";
 }
 
+/// `a, b or c`: the keys under which a quantity may be written.
+std::string spelled_keys(const std::string& name, Unit unit) {
+    const auto suffixes = suffixes_of(unit);
+    std::string list;
+    for (std::size_t i = 0; i < suffixes.size(); ++i) {
+        if (i > 0) list += i + 1 == suffixes.size() ? " or " : ", ";
+        list += name + "_" + std::string(suffixes[i].suffix);
+    }
+    return list;
+}
+
+}  // namespace
+
+std::string shown_value(const toml::node& node) {
+    return shortened(printable(whole_value(node)));
+}
+
 std::string described(const Range& range, double to_si, std::string_view unit) {
     const auto in_unit = [&](double si) {
-        return format("{:.6g}{}{}", si / to_si, unit.empty() ? "" : " ", unit);
+        int digits = 10;  // more where fewer would state a value outside
+        std::string text = format("{:.{}g}", si / to_si, digits);
+        while (digits < 17 && range.holds(si) && !range.holds(std::stod(text) * to_si))
+            text = format("{:.{}g}", si / to_si, ++digits);
+        return text + (unit.empty() ? "" : " ") + std::string(unit);
     };
     const bool has_min = std::isfinite(range.min), has_max = std::isfinite(range.max);
     const char* low = range.min_excluded ? "above " : "at least ";
@@ -33,7 +76,7 @@ std::string described(const Range& range, double to_si, std::string_view unit) {
     if (has_min && has_max) return low + in_unit(range.min) + " and " + high + in_unit(range.max);
     if (has_min) return low + in_unit(range.min);
     if (has_max) return high + in_unit(range.max);
-    return "a finite number";
+    return "that is finite";
 }
 
 void Section::Table::fail(const std::string& key, const toml::node* node,
@@ -41,8 +84,40 @@ void Section::Table::fail(const std::string& key, const toml::node* node,
     const toml::node* place = node ? node : table;
     const auto line = std::max<std::uint32_t>(1, place->source().begin.line);
     const std::string value = node ? " = " + shown_value(*node) : "";
-    throw InputError(
-        format("{}:{}: {}{}{}: {}; {}", source->name, line, path, key, value, problem, remedy));
+    throw InputError(format("{}:{}: {}{}: {}; {}", source->name, line,
+                            shortened(printable(path + key)), value, problem, remedy));
+}
+
+void Section::Table::fail_missing(const std::string& key,
+                                  const std::vector<std::string>& spellings) const {
+    std::vector<std::string> unread;
+    for (const auto& [name, node] : *table)
+        if (!known.count(std::string(name.str()))) unread.emplace_back(name.str());
+    for (const std::string& spelling : spellings) {
+        const std::string near = nearest_word(spelling, unread);
+        if (near.empty()) continue;
+        const auto line = table->get(near)->source().begin.line;
+        const std::string meant = nearest_word(near, spellings);  // with the suffix it has there
+        fail(meant.empty() ? key : meant, nullptr, "is missing",
+             format("add it, or is it meant by {} in line {}?", printable(near), line));
+    }
+    fail(key, nullptr, "is missing", "add it");
+}
+
+void Section::Table::fail_unknown(const std::string& key) const {
+    const toml::node* node = table->get(key);
+    const auto bare = quantities.find(key);
+    if (bare != quantities.end())
+        fail(key, node, "has no unit", "write " + spelled_keys(key, bare->second));
+    const std::string where = path.empty() ? "this file" : "this table";
+    const std::string near = nearest_word(key, {known.begin(), known.end()});
+    if (!near.empty())
+        fail(key, node, "is not a key of " + where, "did you mean " + near + "?");
+    for (const auto& [name, unit] : quantities)
+        if (key.rfind(name + "_", 0) == 0)
+            fail(key, node, "is not a key of " + where,
+                 "if it is a unit, write " + spelled_keys(name, unit));
+    fail(key, node, "is not a key of " + where, "remove it");
 }
 
 const toml::node* Section::Table::find(const std::string& key) {
@@ -52,12 +127,13 @@ const toml::node* Section::Table::find(const std::string& key) {
 
 const toml::node& Section::Table::need(const std::string& key) {
     if (const toml::node* node = find(key)) return *node;
-    fail(key, nullptr, "is missing", "add it");
+    fail_missing(key, {key});
 }
 
 std::optional<Section::Table::Named> Section::Table::find_quantity(const std::string& name,
                                                                    Unit unit) {
     std::optional<Named> found;
+    quantities.emplace(name, unit);
     for (const UnitSuffix& suffix : suffixes_of(unit)) {
         const std::string key = name + "_" + std::string(suffix.suffix);
         const toml::node* node = find(key);
@@ -71,8 +147,11 @@ std::optional<Section::Table::Named> Section::Table::find_quantity(const std::st
 
 Section::Table::Named Section::Table::need_quantity(const std::string& name, Unit unit) {
     if (auto found = find_quantity(name, unit)) return *found;
-    const std::string first = name + "_" + std::string(suffixes_of(unit)[0].suffix);
-    fail(first, nullptr, "is missing", "add it");
+    if (table->get(name)) fail_unknown(name);
+    std::vector<std::string> spellings;
+    for (const UnitSuffix& suffix : suffixes_of(unit))
+        spellings.push_back(name + "_" + std::string(suffix.suffix));
+    fail_missing(spellings.front(), spellings);
 }
 
 double Section::Table::checked_number(const Named& named, const toml::node& node,
@@ -84,10 +163,11 @@ double Section::Table::checked_number(const Named& named, const toml::node& node
         value = real->get();
     else
         fail(named.key, named.node, "is not a number",
-             "give a number that is " + described(range, named.to_si, named.unit));
+             "give a number " + described(range, named.to_si, named.unit));
     const double si = value * named.to_si;
     if (!range.holds(si))
-        fail(named.key, named.node, "is out of range",
+        fail(named.key, named.node,
+             std::isfinite(value) ? "is out of range" : "is not a finite number",
              "give a value " + described(range, named.to_si, named.unit));
     return si;
 }
@@ -120,9 +200,9 @@ Distribution Section::Table::checked_law(const Named& named, const Range& range)
             const auto v = checked_numbers(inner, 2, Range::any());
             if (!range.holds(v[0]) || !(v[1] >= 0.0))
                 fail(inner.key, &node, "is out of range",
-                     "give [mean, standard deviation], the mean " +
+                     "give [mean, standard deviation]: a mean " +
                          described(range, named.to_si, named.unit) +
-                         ", the standard deviation at least 0");
+                         ", a standard deviation at least 0");
             return Distribution(Distribution::Normal{v[0], v[1]});
         }
         if (name == "factor") {
@@ -130,8 +210,8 @@ Distribution Section::Table::checked_law(const Named& named, const Range& range)
             const auto v = checked_numbers(plain, 2, Range::above(0.0));
             if (!range.holds(v[0] * named.to_si) || !(v[1] >= 1.0))
                 fail(inner.key, &node, "is out of range",
-                     "give [median, ratio], the median " +
-                         described(range, named.to_si, named.unit) + ", the ratio at least 1");
+                     "give [median, ratio]: a median " +
+                         described(range, named.to_si, named.unit) + ", a ratio at least 1");
             return Distribution(Distribution::Factor{v[0] * named.to_si, v[1]});
         }
     }

@@ -2,6 +2,7 @@
 
 #include <toml++/toml.h>
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -25,6 +26,7 @@ struct Section::Table {
     const toml::table* table;
     std::string path;  ///< "" or "sample."
     std::set<std::string> known{};
+    std::map<std::string, Unit> quantities{};  ///< names asked for, without their suffix
 
     /// A key with the unit of its values.
     struct Named {
@@ -36,6 +38,9 @@ struct Section::Table {
 
     [[noreturn]] void fail(const std::string& key, const toml::node* node,
                            const std::string& problem, const std::string& remedy) const;
+    [[noreturn]] void fail_missing(const std::string& key,
+                                   const std::vector<std::string>& spellings) const;
+    [[noreturn]] void fail_unknown(const std::string& key) const;
     const toml::node* find(const std::string& key);
     const toml::node& need(const std::string& key);
     std::optional<Named> find_quantity(const std::string& name, Unit unit);
@@ -46,10 +51,10 @@ struct Section::Table {
     Distribution checked_law(const Named& named, const Range& range) const;
 };
 
-/// A value as the user wrote it, for messages.
+/// A value as the user wrote it, for messages: one line of at most 80 bytes.
 std::string shown_value(const toml::node& node);
 
-/// The bounds of a range in words, in the unit of a key.
+/// The bounds of a range in words, in the unit of a key; values at stated bounds are in the range.
 std::string described(const Range& range, double to_si, std::string_view unit);
 
 }  // namespace specula

@@ -17,13 +17,24 @@ std::vector<std::string> kinds_of() {
     }(std::type_identity<Family>{});
 }
 
+/// A member from its section; with the context if its `read` asks for one.
+template <typename Member, typename... Context>
+Member read_member(Section& section, const Context&... context) {
+    if constexpr (requires { Member::read(section, context...); })
+        return Member::read(section, context...);
+    else
+        return Member::read(section);
+}
+
 /// Reads the member of a family that `section.<key>` names; each member reads its own keys.
-template <typename Family>
-Family read_kind(Section& section, const std::string& key) {
+template <typename Family, typename... Context>
+Family read_kind(Section& section, const std::string& key, const Context&... context) {
     const std::string wanted = section.choice(key, kinds_of<Family>());
     return [&]<typename... Members>(std::type_identity<std::variant<Members...>>) {
         Family result;
-        (void)((Members::kind == wanted && (result = Members::read(section), true)) || ...);
+        (void)((Members::kind == wanted &&
+                (result = read_member<Members>(section, context...), true)) ||
+               ...);
         return result;
     }(std::type_identity<Family>{});
 }

@@ -30,7 +30,8 @@ std::size_t edits_between(const std::string& a, const std::string& b) {
 
 std::string nearest_word(const std::string& word, const std::vector<std::string>& known) {
     std::string best;
-    std::size_t fewest = std::max<std::size_t>(2, word.size() / 3) + 1;
+    const std::size_t limit = std::max<std::size_t>(2, word.size() / 3);
+    std::size_t fewest = std::min(limit, word.size() / 2) + 1;
     for (const std::string& candidate : known) {
         const std::size_t edits = edits_between(word, candidate);
         if (edits < fewest) {

@@ -15,6 +15,7 @@ enum class Unit {
     conductivity,  ///< S/m
     voltage,
     temperature,
+    density,
     ratio_db,
     power_dbm,
     gain_dbi,

@@ -1,5 +1,6 @@
 #include "sim/dataset/dataset.hpp"
 
+#include <algorithm>
 #include <charconv>
 
 #include "sim/core/error.hpp"
@@ -13,6 +14,7 @@ namespace {
 constexpr const char* format_name = "specula-dataset";
 constexpr int format_version = 1;
 constexpr std::size_t column_rows = 1 << 16;  ///< rows per chunk of one-number columns
+constexpr std::size_t most_per_axis = 65535;  ///< chirps, RX or samples: a fw_frame counts no more
 
 template <typename T>
 struct Column {
@@ -119,7 +121,8 @@ Dataset read_dataset(const std::filesystem::path& file) {
     dataset.origin = read_origin(in, file);
     dataset.class_names = in.texts("/", "class_names");
     const auto shape = in.shape("/adc");
-    if (shape.size() != 4 || shape[1] < 1 || shape[2] < 1 || shape[3] < 1)
+    const auto possible = [](std::size_t n) { return n >= 1 && n <= most_per_axis; };
+    if (shape.size() != 4 || !std::all_of(shape.begin() + 1, shape.end(), possible))
         throw InputError(file.string() +
                          ": /adc: is not (frame, chirp, rx, sample); the file is damaged");
     dataset.n_chirps = static_cast<int>(shape[1]);
@@ -136,6 +139,10 @@ Dataset read_dataset(const std::filesystem::path& file) {
     } catch (const InputError& error) {
         throw InputError(format("{}: {}", file.string(), error.what()));
     }
+    for (const Truth& truth : dataset.truth)
+        if (truth.label >= dataset.class_names.size())
+            throw InputError(format("{}: /label: {} beside {} class names; the file is damaged",
+                                    file.string(), truth.label, dataset.class_names.size()));
     return dataset;
 }
 

@@ -8,6 +8,7 @@
 
 #include "sim/core/atomic_file.hpp"
 #include "sim/core/error.hpp"
+#include "sim/core/expect.hpp"
 #include "sim/core/format.hpp"
 
 namespace specula {
@@ -31,6 +32,16 @@ class Handle {
     herr_t (*close_)(hid_t);
 };
 
+/// One line of what HDF5 says; of the system's refusals, which it reports at length and with the
+/// time of day, the system's own words.
+std::string in_one_line(const std::string& description) {
+    const std::string mark = "error message = '";
+    const auto found = description.find(mark);
+    if (found == std::string::npos) return description.substr(0, description.find('\n'));
+    const auto begin = found + mark.size();
+    return description.substr(begin, description.find('\'', begin) - begin);
+}
+
 /// The innermost reason on HDF5's error stack.
 std::string last_reason() {
     std::string reason = "unknown reason";
@@ -41,7 +52,7 @@ std::string last_reason() {
             return 0;
         },
         &reason);
-    return reason;
+    return in_one_line(reason);
 }
 
 [[noreturn]] void write_failed(const std::filesystem::path& file, const std::string& object) {
@@ -92,6 +103,13 @@ void write_attribute(hid_t file, const std::filesystem::path& path, const std::s
         write_failed(path, object + "@" + name);
 }
 
+/// gzip makes nothing smaller than a 1032nd; a table that claims more was not written in full.
+constexpr double best_compression = 1100.0;
+
+std::size_t product(const std::vector<std::size_t>& shape) {
+    return std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>());
+}
+
 Handle text_type(std::size_t size) {
     const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
     H5Tset_size(type, std::max<std::size_t>(1, size));
@@ -110,8 +128,11 @@ Hdf5File Hdf5File::create(const std::filesystem::path& file) {
     H5Pset_file_space_strategy(creation, H5F_FSPACE_STRATEGY_NONE, false, 1);
     const Handle access = v110_access();
     const hid_t id = H5Fcreate(draft.c_str(), H5F_ACC_TRUNC, creation, access);
-    if (id < 0)
-        throw SystemError(format("{}: cannot create: {}", file.string(), last_reason()));
+    if (id < 0) {
+        const std::string reason = last_reason();
+        ::unlink(draft.c_str());
+        throw SystemError(format("{}: cannot create: {}", file.string(), reason));
+    }
     return Hdf5File(file, draft, id);
 }
 
@@ -148,6 +169,7 @@ template <typename T>
 void Hdf5File::write(const std::string& name, const std::vector<std::size_t>& shape,
                      std::size_t rows_per_chunk, const std::vector<T>& values) {
     const T* type_of = nullptr;
+    SPECULA_EXPECT(values.size() == product(shape));
     std::vector<hsize_t> size(shape.begin(), shape.end()), chunk = size;
     chunk[0] = std::clamp<hsize_t>(rows_per_chunk, 1, std::max<hsize_t>(1, size[0]));
     const Handle space(H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr),
@@ -170,13 +192,15 @@ template <typename T>
 std::vector<T> Hdf5File::read(const std::string& name) const {
     const T* type_of = nullptr;
     const std::vector<std::size_t> size = shape(name);
-    const std::size_t n =
-        std::accumulate(size.begin(), size.end(), std::size_t{1}, std::multiplies<>());
     const Handle table(H5Dopen2(handle_, name.c_str(), H5P_DEFAULT), H5Dclose);
     const Handle type(H5Dget_type(table), H5Tclose);
     if (H5Tequal(type, file_type(type_of)) <= 0)
         read_failed(file_, name, "holds another type of number");
-    std::vector<T> values(n);
+    double bytes = sizeof(T);
+    for (const std::size_t n : size) bytes *= static_cast<double>(n);
+    if (bytes > best_compression * static_cast<double>(H5Dget_storage_size(table)))
+        read_failed(file_, name, "is larger than what the file holds of it");
+    std::vector<T> values(product(size));
     if (H5Dread(table, memory_type(type_of), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
         read_failed(file_, name, "cannot be read: " + last_reason());
     return values;
@@ -261,9 +285,12 @@ std::string Hdf5File::text(const std::string& object, const std::string& name) c
 double Hdf5File::number(const std::string& object, const std::string& name) const {
     const Handle attribute(
         H5Aopen_by_name(handle_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+    if (!attribute.valid()) read_failed(file_, object + "@" + name, "is missing");
+    const Handle space(H5Aget_space(attribute), H5Sclose);
     double value = 0.0;
-    if (!attribute.valid() || H5Aread(attribute, H5T_NATIVE_DOUBLE, &value) < 0)
-        read_failed(file_, object + "@" + name, "is missing");
+    if (H5Sget_simple_extent_npoints(space) != 1 ||
+        H5Aread(attribute, H5T_NATIVE_DOUBLE, &value) < 0)
+        read_failed(file_, object + "@" + name, "is not a number");
     return value;
 }
 

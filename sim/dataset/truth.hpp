@@ -9,8 +9,8 @@ namespace specula {
 struct Truth {
     std::uint8_t label = 0;
     std::int32_t world = 0;
-    std::int32_t sample = 0;   ///< physical piece, unique over worlds
-    std::int32_t session = 0;  ///< one placement and warm-up, unique over worlds within a condition
+    std::int32_t sample = 0;   ///< physical piece, unique in an experiment
+    std::int32_t session = 0;  ///< one placement and warm-up, unique in an experiment
     std::int32_t frame = 0;    ///< in the session
 
     double height_m = 0.0;

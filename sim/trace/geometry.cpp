@@ -53,7 +53,8 @@ bool intersect(RTCScene scene, RTCRayHit& ray) {
 
 void check(const Mesh& mesh) {
     for (const Vector3& vertex : mesh.vertices_m)
-        if (!vertex.allFinite()) throw InputError("a mesh has a vertex that is not finite");
+        if (!vertex.cast<float>().allFinite())
+            throw InputError("a mesh has a vertex that is not finite in single precision");
     for (const auto& triangle : mesh.triangles)
         for (const std::uint32_t index : triangle)
             if (index >= mesh.vertices_m.size())
@@ -78,12 +79,7 @@ void attach(RTCScene scene, const Mesh& mesh) {
     rtcReleaseGeometry(triangles);
 }
 
-struct Sphere {
-    Vector3 centre_m = Vector3::Zero();
-    double radius_m = 0.0;
-};
-
-Sphere sphere_around(const std::vector<Mesh>& meshes) {
+BoundingSphere sphere_around(const std::vector<Mesh>& meshes) {
     Vector3 low = Vector3::Constant(std::numeric_limits<double>::infinity()), high = -low;
     for (const Mesh& mesh : meshes) {
         for (const Vector3& vertex : mesh.vertices_m) {
@@ -103,7 +99,7 @@ struct Way {
     double far_m;
 };
 
-Way way_between(const Vector3& from, const Vector3& to, const Sphere& around) {
+Way way_between(const Vector3& from, const Vector3& to, const BoundingSphere& around) {
     const double length = (to - from).norm();
     Way way{from, (to - from) / length, end_margin_m, length - end_margin_m};
     const double outside = (from - around.centre_m).norm() - around.radius_m;
@@ -139,7 +135,7 @@ bool traceable(const Way& way) {
 
 struct Geometry::Held {
     RTCScene scene = rtcNewScene(device());
-    Sphere around;
+    BoundingSphere around;
     ~Held() { rtcReleaseScene(scene); }
 };
 

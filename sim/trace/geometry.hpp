@@ -8,6 +8,12 @@
 
 namespace specula {
 
+/// A sphere around everything that rays can hit.
+struct BoundingSphere {
+    Vector3 centre_m = Vector3::Zero();
+    double radius_m = 0.0;
+};
+
 /// What rays can hit, in Embree's hands.
 ///
 /// Embree answers in single precision, so it decides only what stands between two points, never
@@ -15,8 +21,8 @@ namespace specula {
 /// no precision. Safe to ask from many threads at once.
 class Geometry {
   public:
-    /// Mesh i is geometry i. Throws InputError when a vertex is not finite or an index is out of
-    /// range.
+    /// Mesh i is geometry i. Throws InputError when a vertex is not finite in single precision or
+    /// an index is out of range.
     explicit Geometry(const std::vector<Mesh>& meshes);
     ~Geometry();
     Geometry(Geometry&&) noexcept;

@@ -13,11 +13,11 @@ namespace specula {
 namespace {
 
 /// A patch whose ways differ is halved until it is this small, in shares of a wavelength.
-constexpr double smallest_cut_wavelengths = 0.2;
+constexpr double smallest_cut_wavelengths = 0.1;
 /// A surface that no looked-at point of is reached over mirrors is taken as unreached.
 constexpr int looks_at_surface = 16;
-/// Where other faces may cast shadows, ways are compared at no fewer points per axis of a patch than
-/// this, however few the integral needs.
+/// Where other faces may cast shadows, ways are compared at no fewer points per axis of a patch
+/// than this, however few the integral needs.
 constexpr int fewest_ways = 5;
 
 std::vector<WeightedPoint> points_on(const Surface& surface, const Patch& patch, PointCount count) {
@@ -128,9 +128,9 @@ class FaceTracer {
     bool alike_between(const Task& task, const Surface& surface, const Patch& patch,
                        PointCount count, const Walks& walks) const {
         if (target_.faces().size() == 1 || std::min(count.u, count.v) >= fewest_ways) return true;
-        Walks more = walks_to(task, points_on(surface, patch,
-                                              {std::max(count.u, fewest_ways),
-                                               std::max(count.v, fewest_ways)}));
+        Walks more = walks_to(
+            task, points_on(surface, patch,
+                            {std::max(count.u, fewest_ways), std::max(count.v, fewest_ways)}));
         more.push_back(walks.front());
         return all_alike(more);
     }

@@ -1,15 +1,19 @@
 #include "tools/specula/command_line.hpp"
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
+#include <charconv>
 #include <csignal>
-#include <cstdlib>
+#include <cstdio>
+#include <cstring>
 #include <new>
 
 #include "sim/core/error.hpp"
+#include "sim/core/format.hpp"
 #include "sim/core/version.hpp"
 #include "sim/parallel.hpp"
-#include "tools/specula/commands.hpp"
 #include "tools/console/console.hpp"
+#include "tools/specula/commands.hpp"
 #include "tools/specula/home.hpp"
 
 namespace specula {
@@ -20,11 +24,26 @@ constexpr const char* about =
     "Specula: a simulator of 60 GHz FMCW radar over planar material samples.\n"
     "Lengths, angles and frequencies in files carry their unit in the key (height_mm, tilt_deg).";
 
+constexpr const char* first_steps =
+    "Begin with:\n"
+    "  specula simulate scenes/examples/metal_plate.toml\n"
+    "  specula study --quick\n"
+    "\"specula study --help\" explains one command. Exit status: 0 done, 1 the system failed (disk,\n"
+    "memory, a missing tool), 2 wrong input.";
+
 /// A sub-command with an example under its help.
 CLI::App* add_command(CLI::App& program, const char* name, const char* what, const char* example) {
     CLI::App* command = program.add_subcommand(name, what);
-    command->footer(std::string("\nExample:\n  ") + example);
+    command->footer(std::string("Example:\n  ") + example);
     return command;
+}
+
+/// Reads all of 64 bits; CLI11 would take -1 for 2^64 - 1.
+std::string seed_problem(const std::string& text) {
+    std::uint64_t seed = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+    if (error == std::errc{} && end == text.data() + text.size()) return "";
+    return text + " is not a whole number from 0 to 18446744073709551615";
 }
 
 void add_study(CLI::App& program, StudyArguments& arguments) {
@@ -33,13 +52,19 @@ void add_study(CLI::App& program, StudyArguments& arguments) {
         "Run an experiment: record, train, judge, report (two minutes for the paper's)",
         "specula study paper --out /tmp/paper --threads 2\n"
         "  Writes report.html, results.json, figures/, datasets/*.h5, models/ and firmware/.");
-    command->add_option("experiment", arguments.experiment,
-                        "name of an experiment (specula list experiments) or a .toml file")
+    command->add_option("EXPERIMENT", arguments.experiment,
+                        "a name (specula list experiments) or a .toml file")
         ->capture_default_str();
-    command->add_option("-o,--out", arguments.out, "folder to write; default out/EXPERIMENT");
-    command->add_option("--seed", arguments.seed, "instead of the experiment's own");
-    command->add_option("-j,--threads", arguments.threads, "1 to 1024; results do not depend on it")
-        ->check(CLI::Range(1, 1024))
+    command->add_option("-o,--out", arguments.out, "folder to write; default out/EXPERIMENT")
+        ->type_name("FOLDER");
+    command
+        ->add_option("--seed", arguments.seed,
+                     "of all random numbers; default the experiment's own")
+        ->check(seed_problem);
+    command
+        ->add_option("-j,--threads", arguments.threads,
+                     "1 to 1024; results do not depend on it; default all processors")
+        ->check(CLI::Range(1, 1024).description(""))
         ->capture_default_str();
     command->add_flag("--quick", arguments.quick, "the experiment's small version, about 15 s");
 }
@@ -48,10 +73,58 @@ void add_simulate(CLI::App& program, SimulateArguments& arguments) {
     CLI::App* command =
         add_command(program, "simulate", "Simulate one frame of a scene file",
                     "specula simulate scenes/examples/metal_plate.toml --out plate.h5\n"
-                    "  Writes the ADC codes, and prints the range profile and link budget.");
-    command->add_option("scene", arguments.scene, "scene file (.toml)")->required();
-    command->add_option("-o,--out", arguments.out, "dataset to write; default SCENE.h5 here");
-    command->add_option("--seed", arguments.seed, "of the thermal noise")->capture_default_str();
+                    "  Writes the ADC codes in LSB, and prints the range profile and link budget.");
+    command->add_option("SCENE", arguments.scene, "scene file (.toml; scenes/README.md has its keys)")
+        ->required();
+    command->add_option("-o,--out", arguments.out, "dataset to write; default SCENE.h5 here")
+        ->type_name("FILE");
+    command->add_option("--seed", arguments.seed, "of the thermal noise")
+        ->check(seed_problem)
+        ->capture_default_str();
+}
+
+void add_show(CLI::App& program, ShowArguments& arguments) {
+    CLI::App* command = add_command(
+        program, "show", "Explain a material, a radar, an experiment, a scene or a dataset",
+        "specula show plexiglass --figure /tmp/figures\n"
+        "  specula show out/paper/datasets/height.h5");
+    command->add_option("NAME", arguments.what, "a name (specula list), a .toml file or a .h5 dataset")
+        ->required();
+    command
+        ->add_option("--figure", arguments.figure,
+                     "draw what a material reflects there, as SVG, PNG and CSV")
+        ->type_name("FOLDER");
+}
+
+/// One line on standard error, whatever the names of files in it hold.
+void complain(std::string problem) {
+    for (char& c : problem)
+        if (static_cast<unsigned char>(c) < ' ') c = '?';
+    say_error(problem);
+}
+
+/// What is wrong with the arguments, and what would do.
+std::string usage_problem(const CLI::App& program, const CLI::ParseError& error,
+                          const std::string& first_argument) {
+    const auto chosen = program.get_subcommands();
+    if (!chosen.empty())
+        return format("{}; see specula {} --help", error.what(), chosen.front()->get_name());
+    if (first_argument.empty() || first_argument[0] == '-')
+        return format("{}; see specula --help", error.what());
+    std::vector<std::string> names;
+    for (const CLI::App* command : program.get_subcommands({}))
+        names.push_back(command->get_name());
+    const std::string near = nearest_word(first_argument, names);
+    return format("\"{}\": no such command; {}use {}", first_argument,
+                  near.empty() ? "" : "did you mean " + near + "? ", quoted_list(names));
+}
+
+/// What was printed may not fit on a disk; a reader who closed the pipe has seen enough.
+void flush_output() {
+    errno = 0;
+    if (std::fflush(stdout) == 0 && !std::ferror(stdout)) return;
+    if (errno != EPIPE)
+        throw SystemError(std::string("standard output: cannot write: ") + std::strerror(errno));
 }
 
 }  // namespace
@@ -61,6 +134,7 @@ int run_program(int argc, char** argv) {
     std::signal(SIGXFSZ, SIG_IGN);
 
     CLI::App program{about, "specula"};
+    program.footer(first_steps);
     program.set_version_flag("--version", std::string("specula ") + program_version);
     program.require_subcommand(1);
     StudyArguments study;
@@ -68,19 +142,17 @@ int run_program(int argc, char** argv) {
     add_study(program, study);
     SimulateArguments simulate;
     add_simulate(program, simulate);
-    std::string listed, shown, shell = "bash";
+    ShowArguments show;
+    add_show(program, show);
+    std::string listed, shell = "bash";
     add_command(program, "list", "List what is known by name", "specula list materials")
-        ->add_option("what", listed, "materials, radars or experiments")
+        ->add_option("KIND", listed, "materials, radars or experiments")
         ->required()
-        ->check(CLI::IsMember({"materials", "radars", "experiments"}));
-    add_command(program, "show", "Explain a material, a radar, an experiment or any file",
-                "specula show plexiglass; specula show out/paper/datasets/height.h5")
-        ->add_option("what", shown, "a name (specula list), a .toml file or a .h5 dataset")
-        ->required();
+        ->check(CLI::IsMember({"materials", "radars", "experiments"}).description(""));
     add_command(program, "completion", "Print a completion script for a shell",
                 "eval \"$(specula completion bash)\"")
-        ->add_option("shell", shell, "bash or zsh")
-        ->check(CLI::IsMember({"bash", "zsh"}))
+        ->add_option("SHELL", shell, "bash or zsh")
+        ->check(CLI::IsMember({"bash", "zsh"}).description(""))
         ->capture_default_str();
 
     try {
@@ -88,31 +160,30 @@ int run_program(int argc, char** argv) {
         const std::string command = program.get_subcommands().front()->get_name();
         if (command == "completion") {
             std::vector<std::string> names;
-            for (const CLI::App* each : program.get_subcommands({})) names.push_back(each->get_name());
+            for (const CLI::App* each : program.get_subcommands({}))
+                names.push_back(each->get_name());
             completion_command(shell, names);
-            return 0;
+        } else {
+            const Catalogue catalogue = Catalogue::open(home_folder());
+            if (command == "study") study_command(study, catalogue);
+            if (command == "simulate") simulate_command(simulate, catalogue);
+            if (command == "list") list_command(listed, catalogue);
+            if (command == "show") show_command(show, catalogue);
         }
-        const Catalogue catalogue = Catalogue::open(home_folder());
-        if (command == "study") study_command(study, catalogue);
-        if (command == "simulate") simulate_command(simulate, catalogue);
-        if (command == "list") list_command(listed, catalogue);
-        if (command == "show") show_command(shown, catalogue);
+        flush_output();
         return 0;
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return program.exit(error);  // --help, --version
-        say_error(std::string(error.what()) + "; see specula --help");
+        complain(usage_problem(program, error, argc > 1 ? argv[1] : ""));
         return 2;
     } catch (const InputError& error) {
-        say_error(error.what());
+        complain(error.what());
         return 2;
-    } catch (const SystemError& error) {
-        say_error(error.what());
-        return 1;
     } catch (const std::bad_alloc&) {
-        say_error("out of memory; run fewer worlds or sessions at once");
+        complain("out of memory; run fewer worlds or sessions at once");
         return 1;
-    } catch (const std::exception& error) {
-        say_error(error.what());
+    } catch (const std::exception& error) {  // SystemError and our own mistakes
+        complain(error.what());
         return 1;
     }
 }

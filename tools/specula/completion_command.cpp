@@ -10,21 +10,27 @@ void completion_command(const std::string& shell, const std::vector<std::string>
     if (shell == "zsh") std::printf("autoload -U +X bashcompinit && bashcompinit\n");
     std::printf(
         "_specula() {\n"
-        "    local word=${COMP_WORDS[COMP_CWORD]}\n"
+        "    local word=${COMP_WORDS[COMP_CWORD]} words= kind kinds=\n"
         "    if [ \"$COMP_CWORD\" -eq 1 ]; then\n"
-        "        COMPREPLY=($(compgen -W '%s' -- \"$word\"))\n"
+        "        words='%s'\n"
         "    elif [ \"${word#-}\" != \"$word\" ]; then\n"
-        "        local options\n"
-        "        options=$(\"${COMP_WORDS[0]}\" \"${COMP_WORDS[1]}\" --help 2>/dev/null |\n"
-        "                  grep -oE -- '--[a-z-]+' | sort -u)\n"
-        "        COMPREPLY=($(compgen -W \"$options\" -- \"$word\"))\n"
-        "    elif [ \"${COMP_WORDS[1]}\" = list ]; then\n"
-        "        COMPREPLY=($(compgen -W 'materials radars experiments' -- \"$word\"))\n"
-        "    else\n"
-        "        COMPREPLY=($(compgen -f -- \"$word\"))\n"
+        "        words=$(\"${COMP_WORDS[0]}\" \"${COMP_WORDS[1]}\" --help 2>/dev/null |\n"
+        "                grep -oE -- '--[a-z-]+' | sort -u)\n"
+        "    elif [ \"$COMP_CWORD\" -eq 2 ]; then\n"
+        "        case ${COMP_WORDS[1]} in\n"
+        "        list) words='materials radars experiments' ;;\n"
+        "        completion) words='bash zsh' ;;\n"
+        "        study) kinds=experiments ;;\n"
+        "        show) kinds='materials radars experiments' ;;\n"
+        "        esac\n"
+        "        for kind in $(echo $kinds); do\n"
+        "            words=\"$words $(\"${COMP_WORDS[0]}\" list \"$kind\" 2>/dev/null |\n"
+        "                           sed '1d;s/ .*//')\"\n"
+        "        done\n"
         "    fi\n"
+        "    COMPREPLY=($(compgen -W \"$words\" -- \"$word\"))\n"
         "}\n"
-        "complete -F _specula specula ./specula\n",
+        "complete -o default -F _specula specula ./specula  # default: files\n",
         words.c_str());
 }
 

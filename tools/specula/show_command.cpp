@@ -2,14 +2,15 @@
 #include <cstdio>
 #include <map>
 
-#include "materials/stack.hpp"
 #include "scenes/scene.hpp"
+#include "sim/core/constants.hpp"
 #include "sim/core/error.hpp"
 #include "sim/core/format.hpp"
 #include "sim/dataset/dataset.hpp"
 #include "sim/dataset/fingerprint.hpp"
 #include "sim/link_budget.hpp"
 #include "tools/specula/commands.hpp"
+#include "tools/specula/show_material.hpp"
 #include "tools/study/experiment.hpp"
 
 namespace specula {
@@ -18,30 +19,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double nominal_height_m = 0.45;
+constexpr double usual_height_m = 0.45;  ///< where a radar is shown that no scene places
 
-double level_db(Complex value) { return 20.0 * std::log10(std::abs(value)); }
-
-void show_material(const Material& material) {
-    std::printf("%s: %s\nsource: %s\nvalid %g to %g GHz\n\n", material.name.c_str(),
-                material.title.c_str(), material.source.c_str(), material.valid_min_hz * 1e-9,
-                material.valid_max_hz * 1e-9);
-    std::printf("%8s %22s %18s %18s\n", "GHz", "eps_r", "half-space, dB", "slab 5 mm, dB");
-    for (double f_hz = 57e9; f_hz <= 64.5e9; f_hz += 1e9) {
-        const Electrics medium = material.at(f_hz);
-        const Stack half{{}, HalfSpace{medium}, f_hz};
-        const Stack slab{{{.medium = medium, .thickness_m = 0.005}}, HalfSpace{}, f_hz};
-        std::printf("%8.1f %12.4g - j%-8.3g %18.2f %18.2f%s\n", f_hz * 1e-9,
-                    medium.permittivity.real(), -medium.permittivity.imag(),
-                    level_db(stack_reflection(half, 1.0).te),
-                    level_db(stack_reflection(slab, 1.0).te),
-                    material.valid_at(f_hz) ? "" : "  extrapolated");
-    }
-}
-
-void show_radar(const Radar& radar) {
+void show_radar(const Radar& radar, double height_m) {
     const Chirp& chirp = radar.chirp;
-    const LinkBudget mirror = mirror_budget(radar, nominal_height_m);
+    const LinkBudget mirror = mirror_budget(radar, height_m);
     std::printf("%s: %s\nsource: %s\n\n", radar.name.c_str(), radar.title.c_str(),
                 radar.source.c_str());
     std::printf("sampled            %.4g to %.4g GHz, %.4g GHz\n", chirp.frequency_hz(0) * 1e-9,
@@ -51,8 +33,8 @@ void show_radar(const Radar& radar) {
     std::printf("frame              %d chirps x %zu RX x %d samples\n", radar.chirps_per_frame,
                 radar.rx.size(), chirp.n_samples);
     std::printf("thermal noise      %.3g LSB rms\n\n", mirror.noise_lsb);
-    std::printf("an infinite mirror at 45 cm falls into bin %.2f, beat %.4g kHz:\n",
-                chirp.bin_of(nominal_height_m), mirror.beat_hz * 1e-3);
+    std::printf("an infinite mirror at %.4g mm falls into bin %.2f, beat %.4g kHz:\n",
+                height_m * 1e3, chirp.bin_of(height_m), mirror.beat_hz * 1e-3);
     std::printf("  transmitted      %7.1f dBm\n  received         %7.1f dBm\n", radar.tx_power_dbm,
                 mirror.received_dbm);
     std::printf("  behind the gain  %7.1f dBm\n  IF high-pass     %7.1f dB\n",
@@ -87,12 +69,29 @@ void show_dataset(const fs::path& file) {
     }
 }
 
-void show_scene(const Scene& scene) {
-    std::printf("%s, %.4g x %.4g mm, %.4g mm thick, at %.4g mm\n", scene.sample.material.c_str(),
-                scene.sample.face.size_x_m * 1e3, scene.sample.face.size_y_m * 1e3,
-                scene.sample.thickness_m * 1e3, scene.pose.height_m * 1e3);
-    std::printf("in bin %.2f of radar:\n\n", scene.radar.chirp.bin_of(scene.pose.height_m));
-    show_radar(scene.radar);
+void show_tilt(const char* what, const Pose::Tilt& tilt) {
+    if (tilt.about_x_rad == 0.0 && tilt.about_y_rad == 0.0) return;
+    std::printf("%s tilted by %.4g deg in azimuth, %.4g deg in elevation\n", what,
+                tilt.about_y_rad * 180.0 / pi, tilt.about_x_rad * 180.0 / pi);
+}
+
+void show_scene(const Scene& scene, const Library& materials) {
+    const Sample& sample = scene.sample;
+    std::printf("%s, %.4g x %.4g mm, %.4g mm thick, backed by %s\n", sample.title().c_str(),
+                sample.face.size_x_m * 1e3, sample.face.size_y_m * 1e3, sample.thickness_m * 1e3,
+                sample.backing.c_str());
+    std::printf("bow %.4g mm, roughness %.4g um rms\n", sample.face.bow_m * 1e3,
+                sample.roughness_m * 1e6);
+    for (const SampleLayer& layer : sample.layers)
+        std::printf("  %-18s %8.4g mm, roughness %.4g um rms\n", layer.material.c_str(),
+                    layer.thickness_m * 1e3, layer.roughness_m * 1e6);
+    for (const BandWarning& warning : band_warnings(scene, materials))
+        std::printf("extrapolated: %s\n", warning.text().c_str());
+    std::printf("the radar %.4g mm above it\n", scene.pose.height_m * 1e3);
+    show_tilt("sensor", scene.pose.sensor);
+    show_tilt("sample", scene.pose.sample);
+    std::printf("\n");
+    show_radar(scene.radar, scene.pose.height_m);
 }
 
 void show_experiment(const Experiment& experiment) {
@@ -109,29 +108,33 @@ void show_experiment(const Experiment& experiment) {
 
 }  // namespace
 
-void show_command(const std::string& what, const Catalogue& catalogue) {
+void show_command(const ShowArguments& arguments, const Catalogue& catalogue) {
+    const std::string& what = arguments.what;
     const fs::path path = what;
+    const auto show = [&](const Material& material) { show_material(material, arguments.figure); };
     if (path.extension() == ".h5") return show_dataset(path);
     if (path.extension() == ".toml") {
         Section section = Section::read(path);
         if (section.has("training")) return show_experiment(read_experiment(path, catalogue));
-        if (section.has("chirp")) return show_radar(read_radar(path));
-        if (section.has("model")) return show_material(read_material(path));
-        return show_scene(read_scene(path, catalogue));
+        if (section.has("chirp")) return show_radar(read_radar(path), usual_height_m);
+        if (section.has("model")) return show(read_material(path, catalogue.materials.lookup()));
+        return show_scene(read_scene(path, catalogue), catalogue.materials);
     }
-    if (const Material* material = catalogue.materials.find(what)) return show_material(*material);
+    if (const Material* material = catalogue.materials.find(what)) return show(*material);
     const auto radars = catalogue.radar_names(), experiments = catalogue.experiment_names();
     if (std::find(radars.begin(), radars.end(), what) != radars.end())
-        return show_radar(read_radar(catalogue.root / "scenes/radars" / (what + ".toml")));
+        return show_radar(read_radar(catalogue.root / "scenes/radars" / (what + ".toml")),
+                          usual_height_m);
     if (std::find(experiments.begin(), experiments.end(), what) != experiments.end())
         return show_experiment(read_experiment(catalogue.experiment_file(what), catalogue));
     std::vector<std::string> known = catalogue.materials.names();
     known.insert(known.end(), radars.begin(), radars.end());
     known.insert(known.end(), experiments.begin(), experiments.end());
     const std::string near = nearest_word(what, known);
-    throw InputError(format("{}: nothing of that name; {}see specula list, or name a .toml or .h5 "
-                            "file",
-                            what, near.empty() ? "" : "did you mean " + near + "? "));
+    throw InputError(format("\"{}\": nothing of that name; {}", what,
+                            near.empty() ? "see specula list materials, list radars and list "
+                                           "experiments, or name a .toml or .h5 file"
+                                         : "did you mean " + near + "?"));
 }
 
 }  // namespace specula

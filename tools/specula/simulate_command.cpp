@@ -43,7 +43,7 @@ Dataset dataset_of(const Scene& scene, const AdcFrame& frame, const SimulateArgu
                       .version = program_version,
                       .radar = scene.radar.name,
                       .bin_m = scene.radar.chirp.bin_m()};
-    dataset.class_names = {scene.sample.material};
+    dataset.class_names = {scene.sample.title()};
     dataset.n_chirps = frame.n_chirps;
     dataset.n_rx = frame.n_rx;
     dataset.n_samples = frame.n_samples;
@@ -72,9 +72,8 @@ std::vector<float> range_profile(const AdcFrame& frame, std::uint16_t n_bins) {
 void simulate_command(const SimulateArguments& arguments, const Catalogue& catalogue) {
     const Scene scene = read_scene(arguments.scene, catalogue);
     const Chirp& chirp = scene.radar.chirp;
-    if (!catalogue.materials.find(scene.sample.material)->valid_at(chirp.centre_hz()))
-        say_warning(format("{}: its numbers are not known to hold at {:.4g} GHz",
-                           scene.sample.material, chirp.centre_hz() * 1e-9));
+    for (const BandWarning& warning : band_warnings(scene, catalogue.materials))
+        say_warning(warning.text());
     Stream noise({.seed = arguments.seed, .purpose = "thermal noise"});
     const AdcFrame frame = simulate(scene, catalogue.materials, noise);
     const fs::path out = arguments.out.empty()
@@ -84,7 +83,7 @@ void simulate_command(const SimulateArguments& arguments, const Catalogue& catal
 
     const LinkBudget mirror = mirror_budget(scene.radar, scene.pose.height_m);
     std::printf("%s over %s at %.4g mm: bin %.2f of %.4g mm each\n", scene.radar.name.c_str(),
-                scene.sample.material.c_str(), scene.pose.height_m * 1e3,
+                scene.sample.title().c_str(), scene.pose.height_m * 1e3,
                 chirp.bin_of(scene.pose.height_m), chirp.bin_m() * 1e3);
     std::printf("an infinite mirror there: %.1f dBm at the RX, %.0f LSB (IF high-pass %.1f dB)\n\n",
                 mirror.received_dbm, mirror.amplitude_lsb, mirror.high_pass_db);

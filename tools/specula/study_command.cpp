@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cctype>
 #include <cstdio>
 
 #include "sim/core/error.hpp"
@@ -16,11 +18,22 @@ fs::path experiment_file(const std::string& wanted, const Catalogue& catalogue) 
     const auto names = catalogue.experiment_names();
     if (std::find(names.begin(), names.end(), wanted) == names.end()) {
         const std::string near = nearest_word(wanted, names);
-        throw InputError(format("{}: no such experiment; {}use {} or a .toml file", wanted,
+        throw InputError(format("\"{}\": no such experiment; {}use {} or a .toml file", wanted,
                                 near.empty() ? "" : "did you mean " + near + "? ",
                                 quoted_list(names)));
     }
     return catalogue.experiment_file(wanted);
+}
+
+/// A word as a shell takes it.
+std::string shell_word(const std::string& text) {
+    const auto plain = [](unsigned char c) {
+        return std::isalnum(c) || c >= 128 || std::string_view("_-./+,:@%").find(static_cast<char>(c)) != std::string_view::npos;
+    };
+    if (!text.empty() && std::all_of(text.begin(), text.end(), plain)) return text;
+    std::string word = "'";
+    for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
+    return word + "'";
 }
 
 std::string percent(const Interval& interval) {
@@ -38,7 +51,7 @@ void study_command(const StudyArguments& arguments, const Catalogue& catalogue) 
     request.seed = arguments.seed;
     request.threads = arguments.threads;
     request.quick = arguments.quick;
-    request.command = "specula study " + request.experiment_file.stem().string() +
+    request.command = "specula study " + shell_word(arguments.experiment) +
                       (arguments.quick ? " --quick" : "") +
                       (arguments.seed ? format(" --seed {}", *arguments.seed) : "");
     const StudySummary study = run_study(request, catalogue);

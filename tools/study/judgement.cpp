@@ -14,6 +14,14 @@ Split split_world(const FeatureTable& recorded, int world, double validation_sha
     std::vector<std::size_t> training, validation;
     for (std::size_t i = 0; i < rows.size(); ++i)
         (stream.uniform() < validation_share ? validation : training).push_back(i);
+    // Of a few frames, chance may leave one side nothing.
+    const auto share_one = [](std::vector<std::size_t>& from, std::vector<std::size_t>& to) {
+        if (!to.empty() || from.empty()) return;
+        to.push_back(from.back());
+        from.pop_back();
+    };
+    share_one(training, validation);
+    share_one(validation, training);
     return {select_rows(rows, training), select_rows(rows, validation)};
 }
 

@@ -7,7 +7,7 @@
 namespace specula {
 
 /// The training recordings of one world, parted at random by frames, as a paper does that splits
-/// its recordings without looking at sessions.
+/// its recordings without looking at sessions. Of two rows or more, neither part is empty.
 struct Split {
     FeatureTable training;
     FeatureTable validation;

@@ -124,11 +124,23 @@ FeatureTable joined_validation(const std::vector<Split>& splits) {
     return rows;
 }
 
+/// The experiment's name as part of a C name: export_c takes up to 32 of a-z, 0-9 and _.
+std::string c_name(const std::string& experiment) {
+    std::string name;
+    for (const char c : experiment) {
+        const bool upper = c >= 'A' && c <= 'Z';
+        const bool plain = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+        name += upper ? static_cast<char>(c - 'A' + 'a') : plain ? c : '_';
+    }
+    if (name.empty() || name[0] < 'a' || name[0] > 'z') name = "study_" + name;
+    return name.substr(0, 32);
+}
+
 void write_models(const std::vector<Model>& models, const Experiment& experiment,
                   const fs::path& out) {
     for (std::size_t world = 0; world < models.size(); ++world)
         write_model(models[world], out / "models" / format("world_{:03}.json", world));
-    const ExportedModel exported = export_c(models.front(), experiment.name);
+    const ExportedModel exported = export_c(models.front(), c_name(experiment.name));
     write_file_atomically(out / "firmware" / exported.header_name, exported.header);
     write_file_atomically(out / "firmware" / exported.source_name, exported.source);
 }

@@ -27,6 +27,16 @@ std::size_t n_entries(const std::filesystem::path& folder) {
     return static_cast<std::size_t>(std::distance(begin(entries), end(entries)));
 }
 
+template <typename Work>
+std::string failure(const Work& work) {
+    try {
+        work();
+    } catch (const SystemError& error) {
+        return error.what();
+    }
+    return "(no error)";
+}
+
 TEST_CASE("a file is written byte for byte, and only that file", "[atomic file]") {
     const TemporaryFolder folder;
     const std::string content("a\0\r\n\xff", 5);
@@ -60,16 +70,8 @@ TEST_CASE("who fails names path and reason, keeps the old file and leaves nothin
           "[atomic file]") {
     const TemporaryFolder folder;
     const auto message = [](const std::filesystem::path& file, std::string_view content) {
-        try {
-            write_file_atomically(file, content);
-        } catch (const SystemError& error) {
-            return std::string(error.what());
-        }
-        return std::string();
+        return failure([&] { write_file_atomically(file, content); });
     };
-    CHECK(message(folder / "none" / "x", "text") ==
-          (folder / "none" / "x").string() + ": cannot create: No such file or directory");
-
     std::filesystem::create_directory(folder / "taken");
     CHECK(message(folder / "taken", "text") ==
           (folder / "taken").string() + ": cannot replace: Is a directory");
@@ -105,6 +107,49 @@ TEST_CASE("a reader never sees a part of a file that is being replaced", "[atomi
     }
     for (std::thread& writer : writers) writer.join();
     CHECK(whole);
+}
+
+TEST_CASE("a missing folder is made, a name below a file is refused", "[atomic file]") {
+    const TemporaryFolder folder;
+    write_file_atomically(folder / "new" / "deep" / "x", "text");
+    CHECK(content_of(folder / "new" / "deep" / "x") == "text");
+    CHECK(failure([&] { write_file_atomically(folder / "new" / "deep" / "x" / "y", ""); }) ==
+          (folder / "new" / "deep" / "x").string() + ": cannot create: Not a directory");
+}
+
+TEST_CASE("a symbolic link is replaced, and what it pointed to is left alone", "[atomic file]") {
+    const TemporaryFolder folder;
+    write_file_atomically(folder / "target", "old");
+    std::filesystem::create_symlink(folder / "target", folder / "link");
+    write_file_atomically(folder / "link", "new");
+    CHECK_FALSE(std::filesystem::is_symlink(folder / "link"));
+    CHECK(content_of(folder / "link") == "new");
+    CHECK(content_of(folder / "target") == "old");
+}
+
+TEST_CASE("a published file has its content under its final name only", "[atomic file]") {
+    const TemporaryFolder folder;
+    write_file_atomically(folder / "x", "old");
+    write_file_atomically(folder / "draft", "new");
+    publish_file(folder / "draft", folder / "x");
+    CHECK(content_of(folder / "x") == "new");
+    CHECK(n_entries(folder.path()) == 1);
+}
+
+TEST_CASE("a file that cannot be published stays a draft, and the error names the culprit",
+          "[atomic file]") {
+    const TemporaryFolder folder;
+    CHECK(failure([&] { publish_file(folder / "none", folder / "x"); }) ==
+          (folder / "none").string() + ": cannot open: No such file or directory");
+
+    write_file_atomically(folder / "draft", "new");
+    std::filesystem::create_directory(folder / "taken");
+    CHECK(failure([&] { publish_file(folder / "draft", folder / "taken"); }) ==
+          (folder / "taken").string() + ": cannot replace: Is a directory");
+    CHECK(failure([&] { publish_file(folder / "draft", folder / "none" / "x"); }) ==
+          (folder / "none" / "x").string() + ": cannot replace: No such file or directory");
+    CHECK(content_of(folder / "draft") == "new");
+    CHECK(n_entries(folder.path()) == 2);
 }
 
 }  // namespace

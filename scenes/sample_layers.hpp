@@ -1,0 +1,12 @@
+#pragma once
+
+#include "scenes/catalogue.hpp"
+#include "scenes/sample.hpp"
+
+namespace specula {
+
+/// Reads what a sample is made of: `material`, `thickness` and `roughness`, or one [[layer]] for
+/// each layer, the one facing the radar first; and `grain` and `backing`.
+void read_matter(Section& section, const Catalogue& catalogue, Sample& sample);
+
+}  // namespace specula

@@ -1,0 +1,120 @@
+#include "sim/dataset/dataset.hpp"
+
+#include "sim/dataset/fingerprint.hpp"
+#include "tests/check.hpp"
+#include "tests/classifier/temporary_folder.hpp"
+#include "tests/sim/dataset/made_up_dataset.hpp"
+
+namespace specula {
+namespace {
+
+TEST_CASE("a dataset comes back from its file bit by bit", "[dataset]") {
+    const TemporaryFolder folder;
+    const Dataset written = made_up_dataset();
+    write_dataset(folder / "a.h5", written);
+    const Dataset read = read_dataset(folder / "a.h5");
+
+    CHECK(read.origin.condition == written.origin.condition);
+    CHECK(read.origin.experiment == written.origin.experiment);
+    CHECK(read.origin.seed == written.origin.seed);
+    CHECK(read.origin.version == written.origin.version);
+    CHECK(read.origin.radar == written.origin.radar);
+    CHECK(read.origin.bin_m == written.origin.bin_m);
+    CHECK(read.class_names == written.class_names);
+    CHECK(read.n_chirps == written.n_chirps);
+    CHECK(read.n_rx == written.n_rx);
+    CHECK(read.n_samples == written.n_samples);
+    CHECK(read.adc == written.adc);
+    REQUIRE(read.n_frames() == written.n_frames());
+    for (std::size_t i = 0; i < read.n_frames(); ++i) {
+        const Truth &found = read.truth[i], &expected = written.truth[i];
+        CHECK(found.label == expected.label);
+        CHECK(found.world == expected.world);
+        CHECK(found.sample == expected.sample);
+        CHECK(found.session == expected.session);
+        CHECK(found.frame == expected.frame);
+        for (const TruthColumn& column : truth_columns)
+            CHECK(found.*column.member == expected.*column.member);
+    }
+}
+
+TEST_CASE("no two columns of the truth are the same field", "[dataset]") {
+    Truth truth;
+    for (std::size_t i = 0; i < truth_columns.size(); ++i)
+        truth.*truth_columns[i].member = static_cast<double>(i) + 1.0;
+    for (std::size_t i = 0; i < truth_columns.size(); ++i)
+        CHECK(truth.*truth_columns[i].member == static_cast<double>(i) + 1.0);
+    // All of Truth's numbers are columns: 18 doubles, four ids and the label.
+    CHECK(sizeof(Truth) == sizeof(double) * truth_columns.size() + 6 * sizeof(std::int32_t));
+}
+
+TEST_CASE("equal content makes equal bytes, another bit other bytes", "[dataset]") {
+    const TemporaryFolder folder;
+    Dataset dataset = made_up_dataset();
+    write_dataset(folder / "a.h5", dataset);
+    const std::string before = bytes_of(folder / "a.h5");
+    write_dataset(folder / "b.h5", dataset);
+    CHECK(bytes_of(folder / "b.h5") == before);
+    write_dataset(folder / "a.h5", dataset);  // over the old one
+    CHECK(bytes_of(folder / "a.h5") == before);
+    dataset.adc.back() ^= 1;
+    write_dataset(folder / "b.h5", dataset);
+    CHECK(bytes_of(folder / "b.h5") != before);
+}
+
+TEST_CASE("an experiment of a megabyte travels in the file", "[dataset]") {
+    const TemporaryFolder folder;
+    Dataset dataset = made_up_dataset(1);
+    while (dataset.origin.experiment.size() < (1u << 20) - 30)
+        dataset.origin.experiment += "# line " + std::to_string(dataset.origin.experiment.size()) + "\n";
+    write_dataset(folder / "a.h5", dataset);
+    CHECK(read_dataset(folder / "a.h5").origin.experiment == dataset.origin.experiment);
+}
+
+TEST_CASE("empty texts stay empty", "[dataset]") {
+    const TemporaryFolder folder;
+    Dataset dataset = made_up_dataset(1);
+    dataset.origin.experiment.clear();
+    dataset.origin.condition.clear();
+    write_dataset(folder / "a.h5", dataset);
+    CHECK(read_dataset(folder / "a.h5").origin.experiment.empty());
+    CHECK(read_dataset(folder / "a.h5").origin.condition.empty());
+}
+
+TEST_CASE("a frame of the dataset is the firmware's frame", "[dataset]") {
+    const Dataset dataset = made_up_dataset();
+    const fw_frame frame = dataset.frame(3);
+    CHECK(frame.n_chirps == 2);
+    CHECK(frame.n_rx == 3);
+    CHECK(frame.n_samples == 16);
+    CHECK(frame.samples == dataset.adc.data() + 3 * 2 * 3 * 16);
+}
+
+TEST_CASE("a fingerprint knows codes, labels and nothing else", "[dataset]") {
+    const Dataset dataset = made_up_dataset();
+    const std::string before = fingerprint(dataset);
+    CHECK(before.size() == 16);
+    CHECK(before.find_first_not_of("0123456789abcdef") == std::string::npos);
+
+    Dataset changed = dataset;
+    changed.adc[5] ^= 1;
+    CHECK(fingerprint(changed) != before);
+    changed = dataset;
+    std::swap(changed.adc[0], changed.adc[1]);
+    CHECK(fingerprint(changed) != before);
+    changed = dataset;
+    changed.truth[2].label ^= 1;
+    CHECK(fingerprint(changed) != before);
+    changed = dataset;
+    changed.origin.condition = "another file of the same recording";
+    changed.truth[0].height_m += 1.0;
+    CHECK(fingerprint(changed) == before);
+
+    Dataset empty;
+    CHECK(fingerprint(empty) == "cbf29ce484222325");  // the offset basis of FNV-1a, 64 bits
+    empty.adc = {0x6f66, 0x626f};                     // "foob", low byte first
+    CHECK(fingerprint(empty) == "dd120e790c2512af");  // L. C. Noll's test vectors
+}
+
+}  // namespace
+}  // namespace specula

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <fstream>
+#include <iterator>
+
+#include "sim/core/random.hpp"
+#include "sim/dataset/dataset.hpp"
+
+namespace specula {
+
+/// A dataset whose every field differs from every other and from its default.
+inline Dataset made_up_dataset(std::size_t n_frames = 7) {
+    Stream stream({.seed = 5, .purpose = "made up"});
+    Dataset dataset;
+    dataset.origin = {.condition = "tilt_sample",
+                      .experiment = "title = \"Prüfung\"\n[sample]\nsize_mm = [300, 300]\n",
+                      .seed = 18446744073709551615ull,
+                      .version = "9.8.7",
+                      .radar = "toy",
+                      .bin_m = 0.0390625};
+    dataset.class_names = {"iron", "a much longer name", "Nüsse"};
+    dataset.n_chirps = 2;
+    dataset.n_rx = 3;
+    dataset.n_samples = 16;
+    for (std::size_t i = 0; i < n_frames; ++i) {
+        Truth truth;
+        truth.label = static_cast<std::uint8_t>(stream.below(3));
+        truth.world = static_cast<std::int32_t>(stream.bits() >> 1);
+        truth.sample = -static_cast<std::int32_t>(stream.bits() >> 1);
+        truth.session = static_cast<std::int32_t>(stream.bits() >> 1);
+        truth.frame = static_cast<std::int32_t>(stream.bits() >> 1);
+        for (const TruthColumn& column : truth_columns) truth.*column.member = stream.normal();
+        dataset.truth.push_back(truth);
+    }
+    dataset.adc.resize(n_frames * dataset.codes_per_frame());
+    for (std::int16_t& code : dataset.adc) code = static_cast<std::int16_t>(stream.bits() >> 16);
+    return dataset;
+}
+
+inline std::string bytes_of(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+}  // namespace specula

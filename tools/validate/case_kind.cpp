@@ -1,0 +1,75 @@
+#include "tools/validate/case_kind.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+
+#include "sim/core/format.hpp"
+#include "tools/validate/cases/cases.hpp"
+
+namespace specula {
+
+namespace {
+
+const std::map<std::string, ComputePoint> kinds{
+    {"M01", fresnel_point},
+    {"M02", building_material_point},
+    {"M03", slab_point},
+    {"M04", stack_point},
+    {"M05", metal_point},
+    {"M06", mixing_point},
+    {"M07", relaxation_point},
+    {"M08", roughness_point},
+    {"M09", energy_point},
+    {"M10", slab_echo_point},
+    {"F01", range_bin_point},
+    {"F03", displacement_point},
+    {"F04", two_targets_point},
+    {"F05", doppler_point},
+    {"F06", noise_budget_point},
+    {"F07", quantisation_point},
+    {"F08", phase_noise_point},
+    {"F09", high_pass_point},
+    {"F10", received_power_point},
+    {"F11", leakage_point},
+    {"E02", pattern_integral_point},
+    {"E04", intercepted_power_point},
+    {"N01", infinite_plane_point},
+    {"R01", conducting_sphere_point},
+    {"R02", dielectric_sphere_point},
+    {"U01", path_sum_point},
+};
+
+}  // namespace
+
+bool CasePoint::is_informative(const std::string& word) const {
+    if (!tolerance.is_text("note")) return false;
+    std::string note = tolerance.text("note");
+    std::transform(note.begin(), note.end(), note.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    for (std::size_t begin = 0; begin < note.size();) {
+        const std::size_t end = std::min(note.find(". ", begin), note.size());
+        const std::string sentence = note.substr(begin, end - begin);
+        if (sentence.find("informative") != std::string::npos &&
+            sentence.find(word) != std::string::npos)
+            return true;
+        begin = end + 2;
+    }
+    return false;
+}
+
+ComputePoint find_case_kind(const std::string& kind) {
+    const auto found = kinds.find(kind);
+    return found == kinds.end() ? nullptr : found->second;
+}
+
+std::string case_group_title(const std::string& kind) {
+    static const std::map<char, std::string> titles{
+        {'M', "Materials"},  {'R', "Radar cross-sections"}, {'N', "Near field"},
+        {'F', "FMCW radar"}, {'E', "Invariants"},           {'U', "Numerics"},
+        {'S', "Statistics"}, {'W', "Full wave"}};
+    const auto found = kind.empty() ? titles.end() : titles.find(kind.front());
+    return found == titles.end() ? format("Group {}", kind.substr(0, 1)) : found->second;
+}
+
+}  // namespace specula

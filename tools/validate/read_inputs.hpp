@@ -1,0 +1,32 @@
+#pragma once
+
+#include "materials/stack.hpp"
+#include "scenes/antenna.hpp"
+#include "scenes/chirp.hpp"
+#include "tools/validate/fields.hpp"
+
+namespace specula {
+
+/// What several kinds of cases give in the same way.
+
+/// Cosine of `theta_deg`, 0 to below 90.
+double cos_incidence_of(const Fields& inp);
+
+/// `f_hz` or `f`, above 0.
+double frequency_of(const Fields& inp);
+
+/// `f0_hz`, `B_hz`, `N`, `fs_hz` (or `f0`, `B`, `fs`): samples from the start of the ramp.
+Chirp chirp_of(const Fields& inp);
+
+/// One layer, `eps` and `d_m`, in air.
+Stack slab_of(const Fields& inp);
+
+/// "pec", or a relative permittivity.
+Backing backing_of(const Fields& inp, const std::string& name);
+
+/// "iso", or "patch": 5.5 dBi, half widths of 60 and 35 degrees at -6 dB.
+Pattern antenna_of(const Fields& inp, const std::string& name);
+
+std::string lower_case(std::string text);
+
+}  // namespace specula
