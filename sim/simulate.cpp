@@ -10,10 +10,11 @@ namespace specula {
 Channel echo_channel(const Radar& radar, const Sample& sample, const Pose& pose,
                      const Library& materials) {
     const FrequencyComb comb = comb_of(radar.chirp);
-    const PlateView view{sample.face, sample_placement(pose), radar_placement(pose)};
-    const Geometry geometry({triangulate(view.plate, view.plate_placement)});
-    const Scatter scatter = trace(view, radar, geometry, comb.last_hz());
-    return channel_of(scatter, reflector_of(sample, materials, pose.yaw_rad), comb);
+    const Target target({plate_body(sample.face, sample_placement(pose), true, 0.0)});
+    const Scatter scatter = trace(target, antennas_of(radar, radar_placement(pose)),
+                                  {.highest_hz = comb.last_hz()});
+    const Reflector reflectors[] = {reflector_of(sample, materials, pose.yaw_rad)};
+    return channel_of(scatter, reflectors, comb);
 }
 
 Channel leakage_channel(const Radar& radar, const BoardDrift& drift) {

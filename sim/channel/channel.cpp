@@ -1,7 +1,10 @@
 #include "sim/channel/channel.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "sim/channel/coefficients.hpp"
 #include "sim/channel/moments.hpp"
 #include "sim/core/constants.hpp"
 
@@ -10,101 +13,69 @@ namespace specula {
 namespace {
 
 constexpr Complex surface_factor{0.0, -1.0 / (8.0 * pi)};
-constexpr int fewest_polynomials = 12;  ///< tried first
-constexpr int most_polynomials = 192;   ///< beyond, plain sums are hardly slower
-constexpr double angular_tolerance = 1e-8;
 
 double wavenumber_rad_m(double frequency_hz) {
     return two_pi * frequency_hz / speed_of_light_m_s;
 }
 
-/// Chebyshev coefficients in cos(incidence) of a reflector at one frequency.
-struct AngularSeries {
-    std::vector<Complex> te, tm;  ///< (polynomial)
-};
-
-AngularSeries angular_series(const Reflector& reflector, double frequency_hz,
-                             const ChebyshevGrid& cosines, const std::vector<double>& to_series) {
-    const Stack stack = reflector(frequency_hz);
-    const auto n = static_cast<std::size_t>(cosines.n);
-    AngularSeries series{std::vector<Complex>(n), std::vector<Complex>(n)};
-    for (std::size_t i = 0; i < n; ++i) {
-        const Reflection r = stack_reflection(stack, cosines.node(static_cast<int>(i)));
-        for (std::size_t k = 0; k < n; ++k) {
-            series.te[k] += to_series[k * n + i] * r.te;
-            series.tm[k] += to_series[k * n + i] * r.tm;
-        }
-    }
-    return series;
+Event currents_of(const Route& route) {
+    return {.kind = Event::Kind::reflect, .body = route.body, .from_behind = route.from_behind};
 }
 
-/// How many polynomials carry the angle dependence of this reflector over these angles, up to
-/// `most_polynomials`; 0 when that is not enough. A thick sheet of low loss needs many.
-int polynomials_needed(const Reflector& reflector, const FrequencyComb& comb,
-                       ChebyshevGrid cosines) {
-    for (cosines.n = fewest_polynomials; cosines.n <= most_polynomials; cosines.n *= 2) {
-        const auto to_series = coefficient_matrix(cosines.n);
-        int needed = 1;
-        for (const int i : {0, comb.n / 4, comb.n / 2, 3 * comb.n / 4, comb.n - 1}) {
-            const AngularSeries s = angular_series(reflector, comb.at(i), cosines, to_series);
-            for (int k = needed; k < cosines.n; ++k)
-                if (std::abs(s.te[static_cast<std::size_t>(k)]) +
-                        std::abs(s.tm[static_cast<std::size_t>(k)]) >
-                    angular_tolerance)
-                    needed = k + 1;
-        }
-        // A series cut too short folds its rest onto all of its terms, the last ones included.
-        if (needed <= cosines.n * 3 / 4) return needed;
-    }
-    return 0;
+std::vector<Event> events_of(const Route& route) {
+    std::vector<Event> events = route.before;
+    events.insert(events.end(), route.after.begin(), route.after.end());
+    return events;
 }
 
-/// The plain sums, for what no short series in the cosine describes.
-void sum_plainly(const Scatter& scatter, const Reflector& reflector, const FrequencyComb& comb,
-                 Channel& channel) {
+std::vector<double> frequencies_of(const FrequencyComb& comb) {
+    std::vector<double> frequencies_hz;
+    for (int i = 0; i < comb.n; ++i) frequencies_hz.push_back(comb.at(i));
+    return frequencies_hz;
+}
+
+/// Where the angle dependence is looked at, to see how many polynomials it needs.
+std::array<double, 5> looks_of(const FrequencyComb& comb) {
+    return {comb.first_hz, comb.at(comb.n / 4), comb.at(comb.n / 2), comb.at(3 * comb.n / 4),
+            comb.last_hz()};
+}
+
+/// Any route, every coefficient worked out where it is needed: for what no short series describes.
+void add_plainly(const RouteScatter& route, std::span<const Reflector> reflectors,
+                 const FrequencyComb& comb, Channel& channel) {
+    const Scatter alone{.n_rx = channel.n_rx, .routes = {route}};
     for (int rx = 0; rx < channel.n_rx; ++rx)
         for (int i = 0; i < comb.n; ++i)
-            channel.of_rx(rx)[i] =
-                direct_sum(scatter.rx[static_cast<std::size_t>(rx)], reflector, comb.at(i));
+            channel.of_rx(rx)[i] += direct_sum(alone, rx, reflectors, comb.at(i));
 }
 
-}  // namespace
-
-Channel channel_of(const Scatter& scatter, const Reflector& reflector, const FrequencyComb& comb) {
-    const auto n_comb = static_cast<std::size_t>(comb.n);
-    Channel channel{.n_rx = static_cast<int>(scatter.rx.size()),
-                    .n_frequencies = comb.n,
-                    .h = std::vector<Complex>(scatter.rx.size() * n_comb)};
-    const Scatter::Extent path = scatter.path_m();
-    if (path.high == 0.0) return channel;
-    channel.reference_path_m = 0.5 * (path.low + path.high);
-
-    const Scatter::Extent cosine = scatter.cos_incidence();
+/// A route without events: few frequencies, then interpolation.
+void add_straight(const RouteScatter& scatter, std::span<const Reflector> reflectors,
+                  const FrequencyComb& comb, Channel& channel) {
+    const Reflector& reflector = reflectors[static_cast<std::size_t>(scatter.route.body)];
+    const Scatter::Extent path = path_extent_m(scatter), cosine = cosine_extent(scatter);
+    if (path.high == 0.0) return;
+    const Event currents = currents_of(scatter.route);
+    const double reference_m = 0.5 * (path.low + path.high);
     const double half_band_rad_m =
         0.5 * (wavenumber_rad_m(comb.last_hz()) - wavenumber_rad_m(comb.first_hz));
-    MomentGrid grid{.frequency_hz = {comb.first_hz, comb.last_hz(), 1},
-                    .cos_incidence = {cosine.low, cosine.high, 1},
-                    .reference_path_m = channel.reference_path_m};
-    grid.frequency_hz.n = points_for_phase(half_band_rad_m * 0.5 * (path.high - path.low));
-    grid.cos_incidence.n = polynomials_needed(reflector, comb, grid.cos_incidence);
-    if (grid.cos_incidence.n == 0) {
-        sum_plainly(scatter, reflector, comb, channel);
-        return channel;
-    }
+    MomentGrid grid{{comb.first_hz, comb.last_hz(), 1}, {cosine.low, cosine.high, 1}, reference_m};
+    grid.frequency_hz.n =
+        std::min(points_for_phase(half_band_rad_m * 0.5 * (path.high - path.low)), 4 * comb.n);
+    const auto looks_hz = looks_of(comb);
+    grid.cos_incidence.n = polynomials_needed(currents, reflector, looks_hz, grid.cos_incidence);
+    if (grid.cos_incidence.n == 0) return add_plainly(scatter, reflectors, comb, channel);
 
-    std::vector<double> frequencies_hz(n_comb);
-    for (std::size_t i = 0; i < n_comb; ++i) frequencies_hz[i] = comb.at(static_cast<int>(i));
+    const std::vector<double> frequencies_hz = frequencies_of(comb);
     const auto from_nodes = interpolation_matrix(grid.frequency_hz, frequencies_hz);
-    const auto to_series = coefficient_matrix(grid.cos_incidence.n);
     const auto n_f = static_cast<std::size_t>(grid.frequency_hz.n);
     const auto n_p = static_cast<std::size_t>(grid.cos_incidence.n);
-
     std::vector<AngularSeries> series;
     for (const double f_hz : frequencies_hz)
-        series.push_back(angular_series(reflector, f_hz, grid.cos_incidence, to_series));
+        series.push_back(angular_series(currents, reflector(f_hz), grid.cos_incidence));
     for (int rx = 0; rx < channel.n_rx; ++rx) {
         const Moments moments = moments_of(scatter.rx[static_cast<std::size_t>(rx)], grid);
-        for (std::size_t i = 0; i < n_comb; ++i) {
+        for (std::size_t i = 0; i < frequencies_hz.size(); ++i) {
             Complex sum = 0.0;
             for (std::size_t q = 0; q < n_f; ++q) {
                 Complex at_node = moments.incident[q];
@@ -113,21 +84,146 @@ Channel channel_of(const Scatter& scatter, const Reflector& reflector, const Fre
                                series[i].tm[p] * moments.tm[p * n_f + q];
                 sum += from_nodes[i * n_f + q] * at_node;
             }
-            const double turn_rad = wavenumber_rad_m(frequencies_hz[i]) * channel.reference_path_m;
-            channel.of_rx(rx)[i] = surface_factor * std::polar(1.0, -turn_rad) * sum;
+            const double turn_rad = wavenumber_rad_m(frequencies_hz[i]) * reference_m;
+            channel.of_rx(rx)[i] += surface_factor * std::polar(1.0, -turn_rad) * sum;
         }
+    }
+}
+
+/// The interval and number of polynomials of each event, and of the currents, which come last.
+std::vector<ChebyshevGrid> route_cosines(const RouteScatter& scatter,
+                                         std::span<const Reflector> reflectors,
+                                         const FrequencyComb& comb) {
+    const auto looks_hz = looks_of(comb);
+    std::vector<ChebyshevGrid> grids;
+    const auto add = [&](const Event& event, const Scatter::Extent& extent) {
+        ChebyshevGrid grid{extent.low, extent.high, 1};
+        const Reflector& reflector = reflectors[static_cast<std::size_t>(event.body)];
+        grid.n = polynomials_needed(event, reflector, looks_hz, grid);
+        grids.push_back(grid);
+    };
+    const std::vector<Event> events = events_of(scatter.route);
+    for (std::size_t e = 0; e < events.size(); ++e) add(events[e], event_cosine_extent(scatter, e));
+    add(currents_of(scatter.route), cosine_extent(scatter));
+    return grids;
+}
+
+TeTm value_of(const AngularSeries& series, const ChebyshevGrid& grid, double cosine) {
+    std::array<double, most_polynomials> polynomials{};
+    const auto n = series.te.size();
+    chebyshev_polynomials(grid.unit(cosine), std::span(polynomials).first(n));
+    TeTm value{};
+    for (std::size_t k = 0; k < n; ++k) {
+        value.te += series.te[k] * polynomials[k];
+        value.tm += series.tm[k] * polynomials[k];
+    }
+    return value;
+}
+
+/// Sum over weights of weight times coefficients, with the coefficients of each event in hand.
+Complex point_sum(const PairScatter& pair, std::size_t point, std::span<const TeTm> events,
+                  std::size_t n_before, const TeTm& currents) {
+    const std::size_t n_after = events.size() - n_before;
+    const Complex parts[3] = {1.0, currents.te, currents.tm};
+    Complex sum = 0.0;
+    for (std::size_t w = 0; w < pair.weight.size(); ++w) {
+        const std::size_t after = w & ((std::size_t{1} << n_after) - 1);
+        const std::size_t part = (w >> n_after) % 3, before = (w >> n_after) / 3;
+        Complex product = parts[part];
+        for (std::size_t e = 0; e < n_before; ++e)
+            product *= before >> (n_before - 1 - e) & 1u ? events[e].tm : events[e].te;
+        for (std::size_t e = 0; e < n_after; ++e)
+            product *=
+                after >> (n_after - 1 - e) & 1u ? events[n_before + e].tm : events[n_before + e].te;
+        sum += pair.weight[w][point] * product;
+    }
+    return sum;
+}
+
+/// A route over mirrors or through sheets: summed at every frequency.
+void add_eventful(const RouteScatter& scatter, std::span<const Reflector> reflectors,
+                  const FrequencyComb& comb, Channel& channel) {
+    const std::vector<Event> events = events_of(scatter.route);
+    const std::vector<ChebyshevGrid> grids = route_cosines(scatter, reflectors, comb);
+    const auto unwieldy = [](const ChebyshevGrid& grid) { return grid.n == 0; };
+    if (std::any_of(grids.begin(), grids.end(), unwieldy))
+        return add_plainly(scatter, reflectors, comb, channel);
+    std::vector<TeTm> at(events.size());
+    for (int i = 0; i < comb.n; ++i) {
+        std::vector<AngularSeries> series;
+        for (std::size_t e = 0; e < grids.size(); ++e) {
+            const Event event = e < events.size() ? events[e] : currents_of(scatter.route);
+            const Stack stack = reflectors[static_cast<std::size_t>(event.body)](comb.at(i));
+            series.push_back(angular_series(event, stack, grids[e]));
+        }
+        const double k = wavenumber_rad_m(comb.at(i));
+        for (int rx = 0; rx < channel.n_rx; ++rx) {
+            const PairScatter& pair = scatter.rx[static_cast<std::size_t>(rx)];
+            Complex sum = 0.0;
+            for (std::size_t point = 0; point < pair.path_m.size(); ++point) {
+                for (std::size_t e = 0; e < events.size(); ++e)
+                    at[e] = value_of(series[e], grids[e], pair.event_cosine[e][point]);
+                const TeTm currents =
+                    value_of(series.back(), grids.back(), pair.cos_incidence[point]);
+                sum += std::polar(1.0, -k * pair.path_m[point]) *
+                       point_sum(pair, point, at, scatter.route.before.size(), currents);
+            }
+            channel.of_rx(rx)[i] += surface_factor * sum;
+        }
+    }
+}
+
+double reference_path_m(const Scatter& scatter) {
+    Scatter::Extent all;
+    for (const RouteScatter& route : scatter.routes) {
+        if (route.route.n_events() > 0) continue;
+        const Scatter::Extent extent = path_extent_m(route);
+        if (extent.high == 0.0) continue;
+        all.low = all.high == 0.0 ? extent.low : std::min(all.low, extent.low);
+        all.high = std::max(all.high, extent.high);
+    }
+    return 0.5 * (all.low + all.high);
+}
+
+}  // namespace
+
+Channel channel_of(const Scatter& scatter, std::span<const Reflector> reflectors,
+                   const FrequencyComb& comb) {
+    Channel channel{.n_rx = scatter.n_rx,
+                    .n_frequencies = comb.n,
+                    .h = std::vector<Complex>(static_cast<std::size_t>(scatter.n_rx) *
+                                              static_cast<std::size_t>(comb.n)),
+                    .reference_path_m = reference_path_m(scatter)};
+    for (const RouteScatter& route : scatter.routes) {
+        if (route.route.n_events() == 0)
+            add_straight(route, reflectors, comb, channel);
+        else
+            add_eventful(route, reflectors, comb, channel);
     }
     return channel;
 }
 
-Complex direct_sum(const PairScatter& pair, const Reflector& reflector, double frequency_hz) {
-    const Stack stack = reflector(frequency_hz);
-    const double k = wavenumber_rad_m(frequency_hz);
+Complex direct_sum(const Scatter& scatter, int rx, std::span<const Reflector> reflectors,
+                   double frequency_hz) {
     Complex sum = 0.0;
-    for (std::size_t i = 0; i < pair.path_m.size(); ++i) {
-        const Reflection r = stack_reflection(stack, pair.cos_incidence[i]);
-        sum += std::polar(1.0, -k * pair.path_m[i]) *
-               (pair.incident[i] + r.te * pair.te[i] + r.tm * pair.tm[i]);
+    const double k = wavenumber_rad_m(frequency_hz);
+    for (const RouteScatter& route : scatter.routes) {
+        const std::vector<Event> events = events_of(route.route);
+        const PairScatter& pair = route.rx[static_cast<std::size_t>(rx)];
+        const auto stack_of = [&](const Event& event) {
+            return reflectors[static_cast<std::size_t>(event.body)](frequency_hz);
+        };
+        std::vector<TeTm> at(events.size());
+        for (std::size_t point = 0; point < pair.path_m.size(); ++point) {
+            for (std::size_t e = 0; e < events.size(); ++e)
+                at[e] =
+                    coefficients_of(events[e], stack_of(events[e]), pair.event_cosine[e][point]);
+            const Event currents = currents_of(route.route);
+            sum +=
+                std::polar(1.0, -k * pair.path_m[point]) *
+                point_sum(pair, point, at, route.route.before.size(),
+                          coefficients_of(currents, stack_of(currents), pair.cos_incidence[point]));
+        }
     }
     return surface_factor * sum;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <complex>
+#include <span>
 #include <vector>
 
 #include "sim/channel/reflector.hpp"
@@ -24,7 +25,7 @@ struct Channel {
     int n_rx = 0;
     int n_frequencies = 0;
     std::vector<Complex> h;         ///< (rx, frequency)
-    double reference_path_m = 0.0;  ///< middle of the paths in it
+    double reference_path_m = 0.0;  ///< middle of the straight paths in it
 
     const Complex* of_rx(int rx) const {
         return &h[static_cast<std::size_t>(rx) * static_cast<std::size_t>(n_frequencies)];
@@ -34,17 +35,19 @@ struct Channel {
     }
 };
 
-/// The surface integral at every frequency of the comb.
+/// The surface integral at every frequency of the comb, all routes together.
 ///
-/// The sum over points is made at so few frequencies as the spread of paths allows and for
-/// Chebyshev polynomials of the cosine of incidence; both are then interpolated, the reflection
-/// coefficients entering at their own frequency and angle. Error against the plain sum: below 1e-6
-/// of the largest value (tests/sim/channel), 3e-6 where decimetres of plexiglass at 45 degrees send
-/// hardly anything back.
-/// @eq PHYSICS.md#surface-integral, #moments
-Channel channel_of(const Scatter& scatter, const Reflector& reflector, const FrequencyComb& comb);
+/// For the waves that meet one surface only, the sum over points is made at so few frequencies as
+/// the spread of paths allows and for Chebyshev polynomials of the cosine of incidence; both are
+/// then interpolated, the coefficients entering at their own frequency and angle. The others are
+/// summed at every frequency. Error against the plain sum: below 1e-6 of the largest value.
+/// @in  reflectors  (body)
+/// @eq  PHYSICS.md#surface-integral, #moments
+Channel channel_of(const Scatter& scatter, std::span<const Reflector> reflectors,
+                   const FrequencyComb& comb);
 
-/// The plain sum at one frequency for one pair: what channel_of must agree with.
-Complex direct_sum(const PairScatter& pair, const Reflector& reflector, double frequency_hz);
+/// The plain sum at one frequency for one RX: what channel_of must agree with.
+Complex direct_sum(const Scatter& scatter, int rx, std::span<const Reflector> reflectors,
+                   double frequency_hz);
 
 }  // namespace specula

@@ -29,10 +29,10 @@ Moments moments_of(const PairScatter& pair, const MomentGrid& grid) {
                 sums[n_f + q] += weight * im[q];
             }
         };
-        accumulate(pair.incident[i], incident.data());
+        accumulate(pair.weight[0][i], incident.data());
         for (std::size_t p = 0; p < n_p; ++p) {
-            accumulate(pair.te[i] * polynomial[p], &te[2 * p * n_f]);
-            accumulate(pair.tm[i] * polynomial[p], &tm[2 * p * n_f]);
+            accumulate(pair.weight[1][i] * polynomial[p], &te[2 * p * n_f]);
+            accumulate(pair.weight[2][i] * polynomial[p], &tm[2 * p * n_f]);
         }
     }
 

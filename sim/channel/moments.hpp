@@ -15,7 +15,7 @@ struct MomentGrid {
     double reference_path_m;      ///< taken out of every phase
 };
 
-/// Sums over the points of a pair, with no material in them:
+/// Sums over the points of a pair on a route without events, with no material in them:
 /// S_p(f) = Sum_i weight_i T_p(cos_i) exp(-jk(f) (path_i - reference)).
 /// The incident part has one polynomial only. Layout (polynomial, frequency node).
 struct Moments {

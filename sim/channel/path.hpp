@@ -7,7 +7,7 @@ namespace specula {
 /// One discrete way from TX to an RX: leakage on the board, or a small object in the room.
 struct Path {
     int rx = 0;
-    double length_m = 0.0;     ///< from phase centre to phase centre
+    double length_m = 0.0;       ///< from phase centre to phase centre
     Complex transfer{0.0, 0.0};  ///< h = transfer exp(-jk length)
 };
 

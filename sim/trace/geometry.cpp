@@ -7,6 +7,7 @@
 #endif
 
 #include <cmath>
+#include <limits>
 
 #include "sim/core/error.hpp"
 #include "sim/core/format.hpp"
@@ -15,7 +16,8 @@ namespace specula {
 
 namespace {
 
-constexpr float last_part_of_the_way = 0.999f;
+/// Length at the ends of a way that is not looked at, since surfaces begin and end there.
+constexpr double end_margin_m = 1e-4;
 
 /// One device for the whole program: a second one would start threads of its own.
 RTCDevice device() {
@@ -36,6 +38,17 @@ void occluded(RTCScene scene, const int* valid, RTCRay16& rays) {
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     rtcOccluded16(valid, scene, &context, &rays);
 #endif
+}
+
+bool intersect(RTCScene scene, RTCRayHit& ray) {
+#if RTC_VERSION_MAJOR >= 4
+    rtcIntersect1(scene, &ray);
+#else
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcIntersect1(scene, &context, &ray);
+#endif
+    return ray.hit.geomID != RTC_INVALID_GEOMETRY_ID;
 }
 
 void check(const Mesh& mesh) {
@@ -66,10 +79,63 @@ void attach(RTCScene scene, const Mesh& mesh) {
     rtcReleaseGeometry(triangles);
 }
 
+BoundingSphere sphere_around(const std::vector<Mesh>& meshes) {
+    Vector3 low = Vector3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+    for (const Mesh& mesh : meshes) {
+        for (const Vector3& vertex : mesh.vertices_m) {
+            low = low.cwiseMin(vertex);
+            high = high.cwiseMax(vertex);
+        }
+    }
+    if (!low.allFinite()) return {};
+    return {0.5 * (low + high), 0.5 * (high - low).norm() + 0.01};
+}
+
+/// A way in metres from `origin` along a unit direction, cut to a sphere and freed of its ends.
+struct Way {
+    Vector3 origin;
+    Vector3 direction;
+    double near_m;
+    double far_m;
+};
+
+Way way_between(const Vector3& from, const Vector3& to, const BoundingSphere& around) {
+    const double length = (to - from).norm();
+    Way way{from, (to - from) / length, end_margin_m, length - end_margin_m};
+    const double outside = (from - around.centre_m).norm() - around.radius_m;
+    if (outside > 0.0) {
+        way.origin += outside * way.direction;
+        way.near_m = 0.0;
+        way.far_m -= outside;
+    }
+    return way;
+}
+
+RTCRayHit ray_along(const Way& way) {
+    RTCRayHit ray{};
+    ray.ray.org_x = static_cast<float>(way.origin.x());
+    ray.ray.org_y = static_cast<float>(way.origin.y());
+    ray.ray.org_z = static_cast<float>(way.origin.z());
+    ray.ray.dir_x = static_cast<float>(way.direction.x());
+    ray.ray.dir_y = static_cast<float>(way.direction.y());
+    ray.ray.dir_z = static_cast<float>(way.direction.z());
+    ray.ray.tnear = static_cast<float>(way.near_m);
+    ray.ray.tfar = static_cast<float>(way.far_m);
+    ray.ray.mask = ~0u;
+    ray.hit.geomID = ray.hit.primID = ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    return ray;
+}
+
+/// Debian's Embree ends the program on a ray that is not finite.
+bool traceable(const Way& way) {
+    return way.origin.allFinite() && way.direction.allFinite() && way.far_m > way.near_m;
+}
+
 }  // namespace
 
 struct Geometry::Held {
     RTCScene scene = rtcNewScene(device());
+    BoundingSphere around;
     ~Held() { rtcReleaseScene(scene); }
 };
 
@@ -80,6 +146,7 @@ Geometry::Geometry(const std::vector<Mesh>& meshes) : held_(std::make_unique<Hel
         attach(held_->scene, mesh);
     }
     rtcCommitScene(held_->scene);
+    held_->around = sphere_around(meshes);
     if (const RTCError error = rtcGetDeviceError(device()); error != RTC_ERROR_NONE)
         throw SystemError(
             format("Embree could not take the scene (error {})", static_cast<int>(error)));
@@ -96,22 +163,48 @@ void Geometry::shadow(const Vector3& from, std::span<const Vector3> to,
         alignas(64) RTCRay16 rays{};
         alignas(64) int valid[16] = {};
         for (std::size_t i = 0; i < n; ++i) {
-            const Vector3 way = to[first + i] - from;
-            if (!way.allFinite()) continue;  // Debian's Embree aborts on a ray that is not finite
+            const Way way = way_between(from, to[first + i], held_->around);
+            if (!traceable(way)) continue;
             valid[i] = -1;
-            rays.org_x[i] = static_cast<float>(from.x());
-            rays.org_y[i] = static_cast<float>(from.y());
-            rays.org_z[i] = static_cast<float>(from.z());
-            rays.dir_x[i] = static_cast<float>(way.x());
-            rays.dir_y[i] = static_cast<float>(way.y());
-            rays.dir_z[i] = static_cast<float>(way.z());
-            rays.tfar[i] = last_part_of_the_way;
+            rays.org_x[i] = static_cast<float>(way.origin.x());
+            rays.org_y[i] = static_cast<float>(way.origin.y());
+            rays.org_z[i] = static_cast<float>(way.origin.z());
+            rays.dir_x[i] = static_cast<float>(way.direction.x());
+            rays.dir_y[i] = static_cast<float>(way.direction.y());
+            rays.dir_z[i] = static_cast<float>(way.direction.z());
+            rays.tnear[i] = static_cast<float>(way.near_m);
+            rays.tfar[i] = static_cast<float>(way.far_m);
             rays.mask[i] = ~0u;
         }
         occluded(held_->scene, valid, rays);
         for (std::size_t i = 0; i < n; ++i)
-            if (rays.tfar[i] < 0.0f) clear[first + i] = 0;  // Embree's mark of a hit
+            if (valid[i] && rays.tfar[i] < 0.0f) clear[first + i] = 0;  // Embree's mark of a hit
     }
+}
+
+std::vector<int> Geometry::crossings(const Vector3& from, const Vector3& to) const {
+    std::vector<int> crossed;
+    Way way = way_between(from, to, held_->around);
+    while (traceable(way) && static_cast<int>(crossed.size()) < most_crossings) {
+        RTCRayHit ray = ray_along(way);
+        if (!intersect(held_->scene, ray)) break;
+        const int face = static_cast<int>(ray.hit.geomID);
+        // Two triangles of one face share the edge that a ray may hit twice.
+        if (crossed.empty() || crossed.back() != face) crossed.push_back(face);
+        way.near_m = static_cast<double>(ray.ray.tfar) + end_margin_m;
+    }
+    return crossed;
+}
+
+bool Geometry::holds(int geometry, const Vector3& point, const Vector3& direction) const {
+    Way way{point - 2.0 * end_margin_m * direction, direction, 0.0, 4.0 * end_margin_m};
+    while (traceable(way)) {
+        RTCRayHit ray = ray_along(way);
+        if (!intersect(held_->scene, ray)) return false;
+        if (static_cast<int>(ray.hit.geomID) == geometry) return true;
+        way.near_m = static_cast<double>(ray.ray.tfar) + 1e-6;
+    }
+    return false;
 }
 
 }  // namespace specula

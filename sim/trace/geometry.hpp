@@ -8,23 +8,38 @@
 
 namespace specula {
 
+/// A sphere around everything that rays can hit.
+struct BoundingSphere {
+    Vector3 centre_m = Vector3::Zero();
+    double radius_m = 0.0;
+};
+
 /// What rays can hit, in Embree's hands.
 ///
-/// Embree answers in single precision, so it decides only whether something stands between two
-/// points, never how far apart they are. Safe to ask from many threads at once.
+/// Embree answers in single precision, so it decides only what stands between two points, never
+/// how far apart they are. Rays are cut to the sphere around the scene, so that far antennas cost
+/// no precision. Safe to ask from many threads at once.
 class Geometry {
   public:
-    /// Throws InputError when a vertex is not finite in single precision or an index is out of
-    /// range.
+    /// Mesh i is geometry i. Throws InputError when a vertex is not finite in single precision or
+    /// an index is out of range.
     explicit Geometry(const std::vector<Mesh>& meshes);
     ~Geometry();
     Geometry(Geometry&&) noexcept;
     Geometry& operator=(Geometry&&) noexcept;
 
     /// Clears `clear[i]` where something lies between `from` and `to[i]`; leaves it as it is
-    /// elsewhere. The last thousandth of each way is not looked at, since there `to[i]`'s own
-    /// surface begins.
+    /// elsewhere. The surfaces at the two ends do not count.
     void shadow(const Vector3& from, std::span<const Vector3> to, std::span<char> clear) const;
+
+    /// The geometries crossed on the way, in order; those at the two ends do not count. At most
+    /// `most_crossings`, the rest left out.
+    std::vector<int> crossings(const Vector3& from, const Vector3& to) const;
+
+    /// Does the geometry of that number hold the point, seen along a direction through it?
+    bool holds(int geometry, const Vector3& point, const Vector3& direction) const;
+
+    static constexpr int most_crossings = 16;
 
   private:
     struct Held;

@@ -1,5 +1,7 @@
 #include "sim/trace/physical_optics.hpp"
 
+#include "sim/trace/polarisation.hpp"
+
 namespace specula {
 
 namespace {
@@ -18,11 +20,8 @@ double received(const Bounce& bounce, const Vector3& direction, const Vector3& f
 BounceWeights bounce_weights(const Bounce& bounce) {
     const Vector3& in = bounce.to_point;
     const Vector3& n = bounce.normal;
-    const Vector3 across = in.cross(n);
-    const double sine = across.norm();
-    // At normal incidence every direction in the surface will do, since there r_TE = -r_TM.
-    const Vector3 s = sine > 1e-12 ? Vector3(across / sine) : n.unitOrthogonal();
-    const Vector3 out = in - 2.0 * in.dot(n) * n;
+    const Vector3 s = across_plane_of_incidence(in, n);
+    const Vector3 out = mirrored_direction(in, n);
     const Vector3 p_in = s.cross(in), p_out = s.cross(out);
     return {.incident = received(bounce, in, bounce.tx_field),
             .te = received(bounce, out, bounce.tx_field.dot(s) * s),

@@ -4,29 +4,65 @@
 
 namespace specula {
 
-/// The surface integral of one (tx, rx) pair as a sum over points, geometry only.
-///
-/// h(f) = -j/(8 pi) Sum_i exp(-jk path_i) [ incident_i + r_TE(f, cos_i) te_i + r_TM(f, cos_i) tm_i
-/// ] with the reflection coefficients of whatever the surface is made of.
-/// @eq PHYSICS.md#surface-integral
-struct PairScatter {
-    std::vector<double> path_m;         ///< (point) TX to point to RX
-    std::vector<double> cos_incidence;  ///< (point) at the TX side
-    std::vector<double> incident;       ///< (point) weights, dimensionless
-    std::vector<double> te;             ///< (point)
-    std::vector<double> tm;             ///< (point)
+/// Something that happens to a wave on its way and multiplies it by a coefficient of a body.
+struct Event {
+    enum class Kind { reflect, transmit };
+    Kind kind = Kind::reflect;
+    int body = 0;
+    bool from_behind = false;  ///< the wave comes from the back of a sheet
+
+    bool operator==(const Event&) const = default;
 };
 
-/// What the radar sees of a surface: no material in it, so that one trace serves any of them.
+/// Which way a group of points is reached, and which way it is left.
+struct Route {
+    std::vector<Event> before;  ///< between TX and the point, in the wave's order
+    int body = 0;               ///< whose surface currents radiate
+    bool from_behind = false;
+    std::vector<Event> after;  ///< between the point and the RX: transmissions
+
+    bool operator==(const Route&) const = default;
+    std::size_t n_events() const { return before.size() + after.size(); }
+    /// Each event splits the wave into its TE and its TM part; the currents take 1, r_TE or r_TM.
+    std::size_t n_weights() const { return std::size_t{3} << n_events(); }
+};
+
+/// The surface integral of one (tx, rx) pair along one route, as a sum over points, geometry only:
+///
+/// h(f) = -j/(8 pi) Sum_points exp(-jk path) Sum_w weight_w Product of the coefficients that w
+/// names
+///
+/// Weight w counts, from its lowest bits: TE or TM of the events `after`, then incident / TE / TM
+/// of the currents, then TE or TM of the events `before`.
+/// @eq PHYSICS.md#surface-integral
+struct PairScatter {
+    std::vector<double> path_m;                     ///< (point) TX to point to RX, unfolded
+    std::vector<double> cos_incidence;              ///< (point) where the currents are
+    std::vector<std::vector<double>> event_cosine;  ///< (event, point): before, then after
+    std::vector<std::vector<double>> weight;        ///< (weight, point), dimensionless
+};
+
+struct RouteScatter {
+    Route route;
+    std::vector<PairScatter> rx;  ///< (rx)
+};
+
+/// What the radar sees: no material in it, so that one trace serves any of them.
 struct Scatter {
-    std::vector<PairScatter> rx;  ///< (rx); empty lists where nothing is seen
+    int n_rx = 0;
+    std::vector<RouteScatter> routes;
 
     struct Extent {
         double low = 0.0;
         double high = 0.0;
     };
-    Extent path_m() const;         ///< over all pairs; {0, 0} when nothing is seen
-    Extent cos_incidence() const;  ///< over all pairs; {1, 1} when nothing is seen
+    std::size_t n_points() const;
 };
+
+/// Over all pairs of a route; {0, 0} when there is no point.
+Scatter::Extent path_extent_m(const RouteScatter& scatter);
+Scatter::Extent cosine_extent(const RouteScatter& scatter);
+/// Of event number `event`, before and after counted through.
+Scatter::Extent event_cosine_extent(const RouteScatter& scatter, std::size_t event);
 
 }  // namespace specula

@@ -3,151 +3,204 @@
 #include <algorithm>
 
 #include "sim/core/constants.hpp"
+#include "sim/core/expect.hpp"
 #include "sim/trace/gauss_legendre.hpp"
-#include "sim/trace/patch.hpp"
-#include "sim/trace/physical_optics.hpp"
+#include "sim/trace/quadrature.hpp"
+#include "sim/trace/route_collector.hpp"
 
 namespace specula {
 
 namespace {
 
-/// A patch whose visibility changes within it is halved until it is this small.
-constexpr double smallest_cut_m = 1e-3;
+/// A patch whose ways differ is halved until it is this small, in shares of a wavelength.
+constexpr double smallest_cut_wavelengths = 0.1;
+/// A surface that no looked-at point of is reached over mirrors is taken as unreached.
+constexpr int looks_at_surface = 16;
+/// Where other faces may cast shadows, ways are compared at no fewer points per axis of a patch
+/// than this, however few the integral needs.
+constexpr int fewest_ways = 5;
 
-struct SurfacePoint {
-    Vector3 normal;  ///< unit
-    double area_m2;
-};
-
-/// The points of a patch, and which of them both antennas see.
-struct PatchPoints {
-    std::vector<Vector3> points_m;
-    std::vector<SurfacePoint> surface;
-    std::vector<char> clear;
-};
-
-PatchPoints place_points(const PlateView& view, const Patch& patch, PointCount count) {
-    const GaussRule& rule_x = gauss_legendre(count.x);
-    const GaussRule& rule_y = gauss_legendre(count.y);
-    const double quarter_area =
-        0.25 * (patch.x_m[1] - patch.x_m[0]) * (patch.y_m[1] - patch.y_m[0]);
-    PatchPoints placed;
-    placed.points_m.reserve(rule_x.nodes.size() * rule_y.nodes.size());
-    placed.surface.reserve(placed.points_m.capacity());
-    for (std::size_t j = 0; j < rule_y.nodes.size(); ++j) {
-        for (std::size_t i = 0; i < rule_x.nodes.size(); ++i) {
-            const double x_m = patch.x_at(rule_x.nodes[i]), y_m = patch.y_at(rule_y.nodes[j]);
-            const Vector3 normal = view.plate.area_normal(x_m, y_m);
+std::vector<WeightedPoint> points_on(const Surface& surface, const Patch& patch, PointCount count) {
+    const GaussRule& rule_u = gauss_legendre(count.u);
+    const GaussRule& rule_v = gauss_legendre(count.v);
+    std::vector<WeightedPoint> points;
+    points.reserve(rule_u.nodes.size() * rule_v.nodes.size());
+    for (std::size_t j = 0; j < rule_v.nodes.size(); ++j) {
+        for (std::size_t i = 0; i < rule_u.nodes.size(); ++i) {
+            const SurfacePoint at =
+                surface_point(surface, patch.u_at(rule_u.nodes[i]), patch.v_at(rule_v.nodes[j]));
+            const Vector3 normal = at.area_normal();
             const double stretch = normal.norm();
-            placed.points_m.push_back(
-                view.plate_placement.point({x_m, y_m, view.plate.height_m(x_m, y_m)}));
-            placed.surface.push_back(
-                {view.plate_placement.direction(normal / stretch),
-                 quarter_area * rule_x.weights[i] * rule_y.weights[j] * stretch});
+            points.push_back({at.point_m, normal / stretch,
+                              stretch * patch.half_u() * patch.half_v() * rule_u.weights[i] *
+                                  rule_v.weights[j]});
         }
     }
-    return placed;
+    return points;
 }
 
-void find_clear(const Geometry& geometry, const AntennaPair& pair, PatchPoints& placed) {
-    placed.clear.assign(placed.points_m.size(), 1);
-    for (std::size_t i = 0; i < placed.points_m.size(); ++i) {
-        const Vector3& n = placed.surface[i].normal;
-        const bool lit = n.dot(pair.tx_m - placed.points_m[i]) > 0.0;
-        const bool seen = n.dot(pair.rx_m - placed.points_m[i]) > 0.0;
-        placed.clear[i] = lit && seen;
-    }
-    geometry.shadow(pair.tx_m, placed.points_m, placed.clear);
-    geometry.shadow(pair.rx_m, placed.points_m, placed.clear);
-}
-
-/// Cuts a patch in two across its longer side, or across the axis that needs more points.
-std::pair<Patch, Patch> halves(const Patch& patch, bool across_x) {
-    Patch first = patch, second = patch;
-    if (across_x)
-        first.x_m[1] = second.x_m[0] = patch.x_at(0.0);
-    else
-        first.y_m[1] = second.y_m[0] = patch.y_at(0.0);
-    return {first, second};
-}
-
-class PairTracer {
+/// Follows one source (the TX or an image) over one face to one RX.
+class FaceTracer {
   public:
-    PairTracer(const PlateView& view, const Radar& radar, const Geometry& geometry,
-               const AntennaPair& pair, double wavelength_m)
-        : view_(view),
-          radar_(radar),
-          geometry_(geometry),
-          pair_(pair),
-          wavelength_m_(wavelength_m) {}
+    struct Task {
+        int face;
+        Mirrors mirrors;
+        std::size_t rx;
+    };
 
-    void add(const Patch& patch) {
-        const PointCount count = points_needed(view_, pair_, patch, wavelength_m_);
-        if (count.x > largest_gauss_rule || count.y > largest_gauss_rule)
-            return add_halves(patch, count.x > count.y);
-        PatchPoints placed = place_points(view_, patch, count);
-        find_clear(geometry_, pair_, placed);
-        const auto n_clear = std::count(placed.clear.begin(), placed.clear.end(), 1);
-        const bool partly = n_clear > 0 && n_clear < static_cast<long>(placed.clear.size());
-        const double size_x = patch.x_m[1] - patch.x_m[0], size_y = patch.y_m[1] - patch.y_m[0];
-        if (partly && std::max(size_x, size_y) > smallest_cut_m)
-            return add_halves(patch, size_x > size_y);
-        for (std::size_t i = 0; i < placed.clear.size(); ++i)
-            if (placed.clear[i]) add_point(placed.points_m[i], placed.surface[i]);
+    FaceTracer(const Target& target, const AntennaSet& antennas, const TraceSettings& settings,
+               RouteCollector& routes)
+        : target_(target),
+          antennas_(antennas),
+          settings_(settings),
+          wavelength_m_(speed_of_light_m_s / settings.highest_hz),
+          routes_(routes) {}
+
+    void add(const Task& task) {
+        for (const Surface& surface : target_.faces()[static_cast<std::size_t>(task.face)].surfaces)
+            if (task.mirrors.faces.empty() || is_reached(task, surface)) add(task, surface, {});
     }
-
-    PairScatter take() { return std::move(scatter_); }
 
   private:
-    void add_halves(const Patch& patch, bool across_x) {
-        const auto [first, second] = halves(patch, across_x);
-        add(first);
-        add(second);
+    using Walks = std::vector<std::optional<Walk>>;
+
+    PhaseCentres centres(const Task& task) const {
+        return {task.mirrors.source(), antennas_.rx[task.rx].position_m};
     }
 
-    void add_point(const Vector3& point, const SurfacePoint& surface) {
-        const Vector3 from_tx = point - pair_.tx_m, to_rx = pair_.rx_m - point;
-        const double r1 = from_tx.norm(), r2 = to_rx.norm();
-        const Rotation& radar = view_.radar_placement.rotation;
-        Bounce bounce;
-        bounce.to_point = from_tx / r1;
-        bounce.to_rx = to_rx / r2;
-        bounce.normal = surface.normal;
-        bounce.tx_field =
-            radar * field_pattern(radar_.pattern, radar.transpose() * bounce.to_point);
-        bounce.rx_field = radar * field_pattern(radar_.pattern, radar.transpose() * -bounce.to_rx);
-        const BounceWeights weights = bounce_weights(bounce);
-        const double spread = surface.area_m2 / (r1 * r2);
-        scatter_.path_m.push_back(r1 + r2);
-        scatter_.cos_incidence.push_back(std::min(1.0, -bounce.to_point.dot(surface.normal)));
-        scatter_.incident.push_back(weights.incident * spread);
-        scatter_.te.push_back(weights.te * spread);
-        scatter_.tm.push_back(weights.tm * spread);
+    bool is_reached(const Task& task, const Surface& surface) const {
+        for (const WeightedPoint& p : points_on(surface, {}, {looks_at_surface, looks_at_surface}))
+            if (walk(target_, task.mirrors, {p.point_m, p.normal, task.face}, centres(task).rx_m))
+                return true;
+        return false;
     }
 
-    const PlateView& view_;
-    const Radar& radar_;
-    const Geometry& geometry_;
-    AntennaPair pair_;
+    /// With nothing but opaque bodies and no mirrors, packets of shadow rays say it all.
+    bool is_plain(const Task& task) const {
+        return task.mirrors.faces.empty() &&
+               (target_.faces().size() == 1 ||
+                std::all_of(target_.bodies().begin(), target_.bodies().end(),
+                            [](const Body& body) { return body.opaque; }));
+    }
+
+    Walks plain_walks(const Task& task, const std::vector<WeightedPoint>& points) const {
+        const PhaseCentres ends = centres(task);
+        std::vector<Vector3> places;
+        std::vector<char> clear;
+        Walks walks(points.size());
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const WeightedPoint& p = points[i];
+            Walk straight;
+            straight.leaving = straight.arriving = (p.point_m - ends.source_m).normalized();
+            const bool at_back = straight.arriving.dot(p.normal) > 0.0;
+            straight.normal = at_back ? Vector3(-p.normal) : p.normal;
+            straight.from_behind = at_back && !target_.body_of(task.face).opaque;
+            straight.signature = at_back;
+            places.push_back(p.point_m);
+            clear.push_back(straight.normal.dot(ends.rx_m - p.point_m) > 0.0 &&
+                            straight.normal.dot(straight.arriving) < 0.0);
+            walks[i] = std::move(straight);
+        }
+        target_.geometry().shadow(ends.source_m, places, clear);
+        target_.geometry().shadow(ends.rx_m, places, clear);
+        for (std::size_t i = 0; i < points.size(); ++i)
+            if (!clear[i]) walks[i].reset();
+        return walks;
+    }
+
+    Walks walks_to(const Task& task, const std::vector<WeightedPoint>& points) const {
+        if (is_plain(task)) return plain_walks(task, points);
+        Walks walks;
+        for (const WeightedPoint& p : points)
+            walks.push_back(
+                walk(target_, task.mirrors, {p.point_m, p.normal, task.face}, centres(task).rx_m));
+        return walks;
+    }
+
+    static bool all_alike(const Walks& walks) {
+        return std::all_of(walks.begin(), walks.end(), [&](const std::optional<Walk>& w) {
+            return w.has_value() == walks.front().has_value() &&
+                   (!w || w->signature == walks.front()->signature);
+        });
+    }
+
+    /// Where the integral needs few points only, do the ways between them meet the same faces too?
+    bool alike_between(const Task& task, const Surface& surface, const Patch& patch,
+                       PointCount count, const Walks& walks) const {
+        if (target_.faces().size() == 1 || std::min(count.u, count.v) >= fewest_ways) return true;
+        Walks more = walks_to(
+            task, points_on(surface, patch,
+                            {std::max(count.u, fewest_ways), std::max(count.v, fewest_ways)}));
+        more.push_back(walks.front());
+        return all_alike(more);
+    }
+
+    void add(const Task& task, const Surface& surface, const Patch& patch) {
+        const PointCount count =
+            points_needed(surface, patch, centres(task), wavelength_m_, settings_.accuracy_db);
+        if (count.u > largest_gauss_rule || count.v > largest_gauss_rule)
+            return add_halves(task, surface, patch, count.u > count.v);
+        const std::vector<WeightedPoint> points = points_on(surface, patch, count);
+        const Walks walks = walks_to(task, points);
+        if (!all_alike(walks) || !alike_between(task, surface, patch, count, walks)) {
+            const SurfacePoint middle = surface_point(surface, patch.u_at(0.0), patch.v_at(0.0));
+            const double size_u = 2.0 * patch.half_u() * middle.along_u.norm();
+            const double size_v = 2.0 * patch.half_v() * middle.along_v.norm();
+            if (std::max(size_u, size_v) > smallest_cut_wavelengths * wavelength_m_)
+                return add_halves(task, surface, patch, size_u > size_v);
+        }
+        const int body = target_.faces()[static_cast<std::size_t>(task.face)].body;
+        for (std::size_t i = 0; i < points.size(); ++i)
+            if (walks[i]) routes_.add(points[i], body, *walks[i], task.mirrors.source(), task.rx);
+    }
+
+    void add_halves(const Task& task, const Surface& surface, const Patch& patch, bool across_u) {
+        Patch first = patch, second = patch;
+        if (across_u)
+            first.u[1] = second.u[0] = patch.u_at(0.0);
+        else
+            first.v[1] = second.v[0] = patch.v_at(0.0);
+        add(task, surface, first);
+        add(task, surface, second);
+    }
+
+    const Target& target_;
+    const AntennaSet& antennas_;
+    TraceSettings settings_;
     double wavelength_m_;
-    PairScatter scatter_;
+    RouteCollector& routes_;
 };
+
+/// Calls `use` with every sequence of flat faces of up to `most` mirrors, the empty one first.
+template <typename Use>
+void for_each_mirrors(const Target& target, const Mirrors& so_far, int most, const Use& use) {
+    use(so_far);
+    if (static_cast<int>(so_far.faces.size()) == most) return;
+    for (std::size_t i = 0; i < target.faces().size(); ++i) {
+        const int face = static_cast<int>(i);
+        const bool again = !so_far.faces.empty() && so_far.faces.back() == face;
+        if (target.faces()[i].flat && !again)
+            for_each_mirrors(target, so_far.with(face, target), most, use);
+    }
+}
 
 }  // namespace
 
-Scatter trace(const PlateView& view, const Radar& radar, const Geometry& geometry,
-              double highest_hz) {
-    const double half_x_m = 0.5 * view.plate.size_x_m, half_y_m = 0.5 * view.plate.size_y_m;
-    const Patch whole{{-half_x_m, half_x_m}, {-half_y_m, half_y_m}};
-    Scatter scatter;
-    for (const ReceiveChannel& channel : radar.rx) {
-        const AntennaPair pair{view.radar_placement.point(radar.tx_position_m),
-                               view.radar_placement.point(channel.position_m)};
-        PairTracer tracer(view, radar, geometry, pair, speed_of_light_m_s / highest_hz);
-        tracer.add(whole);
-        scatter.rx.push_back(tracer.take());
-    }
-    return scatter;
+Scatter trace(const Target& target, const AntennaSet& antennas, const TraceSettings& settings) {
+    SPECULA_EXPECT(settings.highest_hz > 0.0 && settings.accuracy_db > 0.0);
+    RouteCollector routes(target, antennas);
+    FaceTracer tracer(target, antennas, settings, routes);
+    const int most_mirrors = target.faces().size() == 1 ? 0 : settings.max_bounces - 1;
+    for_each_mirrors(target, no_mirrors(antennas.tx.position_m), most_mirrors,
+                     [&](const Mirrors& mirrors) {
+                         for (std::size_t face = 0; face < target.faces().size(); ++face) {
+                             const int number = static_cast<int>(face);
+                             if (!mirrors.faces.empty() && mirrors.faces.back() == number) continue;
+                             for (std::size_t rx = 0; rx < antennas.rx.size(); ++rx)
+                                 tracer.add({number, mirrors, rx});
+                         }
+                     });
+    return routes.take();
 }
 
 }  // namespace specula

@@ -1,26 +1,26 @@
 #pragma once
 
-#include "scenes/radar.hpp"
-#include "scenes/sample.hpp"
-#include "sim/trace/geometry.hpp"
+#include "sim/trace/placed_antenna.hpp"
 #include "sim/trace/scatter.hpp"
+#include "sim/trace/target.hpp"
 
 namespace specula {
 
-/// A plate in its place before a radar in its place.
-struct PlateView {
-    Plate plate;
-    Placement plate_placement;
-    Placement radar_placement;
+/// How far to go.
+struct TraceSettings {
+    double highest_hz = 0.0;   ///< the sums are good up to here
+    double accuracy_db = 0.1;  ///< of the sums against the converged integrals, 1e-6 to 3
+    int max_bounces = 3;       ///< surfaces a wave may meet, 1 to 4
 };
 
-/// The face of a plate as the radar sees it, ready to be summed at any frequency up to
-/// `highest_hz`.
+/// What a radar sees of a target, ready to be summed at any frequency up to `highest_hz`.
 ///
-/// The face is covered by Gauss-Legendre points on the true (also bowed) surface, as many as the
-/// phase of exp(-jk path) needs; where the antennas see only part of a patch, it is cut smaller.
-/// @eq PHYSICS.md#surface-integral, #quadrature
-Scatter trace(const PlateView& view, const Radar& radar, const Geometry& geometry,
-              double highest_hz);
+/// Every surface is covered by Gauss-Legendre points on its true shape, as many as the phase and
+/// the accuracy need; where antennas see only part of a patch, it is cut smaller. Waves reach a
+/// surface straight, over flat faces (images of the TX, exact for spherical waves), and through
+/// sheets.
+/// @eq PHYSICS.md#surface-integral, #quadrature, #images
+/// Limit: curved faces pass no wave on to other faces; sheets let waves pass straight on.
+Scatter trace(const Target& target, const AntennaSet& antennas, const TraceSettings& settings);
 
 }  // namespace specula

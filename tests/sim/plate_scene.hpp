@@ -21,15 +21,21 @@ struct PlateScene {
         radar.rx = {ReceiveChannel{.position_m = rx_m}};
         return radar;
     }
-    PlateView view() const { return {plate, sample_placement(pose), radar_placement(pose)}; }
+    Placement plate_placement() const { return sample_placement(pose); }
+    AntennaSet antennas() const { return antennas_of(radar(), radar_placement(pose)); }
 
-    PairScatter scatter(double highest_hz) const {
-        const PlateView seen = view();
-        const Geometry geometry({triangulate(plate, seen.plate_placement)});
-        return trace(seen, radar(), geometry, highest_hz).rx[0];
+    /// The plate, opaque, and screens that are in the way.
+    Target target(const std::vector<Mesh>& screens = {}) const {
+        std::vector<Body> bodies{plate_body(plate, plate_placement(), true, 0.0)};
+        for (const Mesh& screen : screens) bodies.push_back(mesh_body(screen, true, 0.0));
+        return Target(std::move(bodies));
+    }
+    /// As exact as need be for comparison with closed forms.
+    Scatter scatter(double highest_hz) const {
+        return trace(target(), antennas(), {.highest_hz = highest_hz, .accuracy_db = 1e-9});
     }
     Complex transfer(const Reflector& reflector, double frequency_hz) const {
-        return direct_sum(scatter(frequency_hz), reflector, frequency_hz);
+        return direct_sum(scatter(frequency_hz), 0, {&reflector, 1}, frequency_hz);
     }
 };
 

@@ -35,8 +35,8 @@ TEST_CASE("a plate answers a whole chirp as the reference says, sample by sample
         const int n = inp["N"];
         const FrequencyComb comb{inp["f0_hz"], inp["B_hz"].get<double>() / n, n};
         const PlateScene scene = scene_of(inp);
-        const Scatter scatter{{scene.scatter(comb.last_hz())}};
-        const Channel channel = channel_of(scatter, reflector_of_case(inp["material"]), comb);
+        const Reflector reflector = reflector_of_case(inp["material"]);
+        const Channel channel = channel_of(scene.scatter(comb.last_hz()), {&reflector, 1}, comb);
 
         double largest = 0.0, off = 0.0;
         std::vector<double> beat;  // Re conj(h): the residual phase is left out here

@@ -10,12 +10,13 @@ namespace {
 TEST_CASE("moments are the plain sums that they stand for", "[channel]") {
     Stream stream({.seed = 1, .purpose = "moments"});
     PairScatter pair;
+    pair.weight.resize(3);
     for (int i = 0; i < 40; ++i) {
         pair.path_m.push_back(0.9 + 0.05 * stream.uniform());
         pair.cos_incidence.push_back(0.7 + 0.3 * stream.uniform());
-        pair.incident.push_back(stream.normal());
-        pair.te.push_back(stream.normal());
-        pair.tm.push_back(stream.normal());
+        pair.weight[0].push_back(stream.normal());
+        pair.weight[1].push_back(stream.normal());
+        pair.weight[2].push_back(stream.normal());
     }
     const MomentGrid grid{{57e9, 62e9, 6}, {0.7, 1.0, 4}, 0.92};
     const Moments found = moments_of(pair, grid);
@@ -32,9 +33,9 @@ TEST_CASE("moments are the plain sums that they stand for", "[channel]") {
                 const double angle = std::acos((pair.cos_incidence[i] - 0.85) / 0.15);
                 const auto wave = std::polar(1.0, -k * (pair.path_m[i] - 0.92)) *
                                   std::cos(static_cast<double>(p) * angle);
-                if (p == 0) incident += pair.incident[i] * wave;
-                te += pair.te[i] * wave;
-                tm += pair.tm[i] * wave;
+                if (p == 0) incident += pair.weight[0][i] * wave;
+                te += pair.weight[1][i] * wave;
+                tm += pair.weight[2][i] * wave;
             }
             if (p == 0) worst = std::max(worst, std::abs(found.incident[q] - incident));
             worst = std::max(worst, std::abs(found.te[p * 6 + q] - te));

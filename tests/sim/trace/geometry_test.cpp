@@ -44,10 +44,10 @@ TEST_CASE("neither what is behind the point nor what is behind the antenna shado
     CHECK(is_clear(geometry, {0.0, 0.0, 0.6}, {0.1, 0.1, 0.0}));
 }
 
-TEST_CASE("the last thousandth of the way is not looked at", "[trace]") {
+TEST_CASE("the last tenth of a millimetre is not looked at", "[trace]") {
     const Vector3 radar(0.0, 0.0, 1.0), point(0.0, 0.0, 0.0);
-    CHECK(is_clear(Geometry({square(0.1, 0.0009)}), radar, point));
-    CHECK_FALSE(is_clear(Geometry({square(0.1, 0.0011)}), radar, point));
+    CHECK(is_clear(Geometry({square(0.1, 0.00009)}), radar, point));
+    CHECK_FALSE(is_clear(Geometry({square(0.1, 0.00011)}), radar, point));
 }
 
 TEST_CASE("of many points only the hidden ones lose their mark", "[trace]") {

@@ -11,12 +11,17 @@ namespace {
 
 constexpr double frequency_hz = 60e9;
 
-PairScatter trace_with(const PlateScene& scene, const std::vector<Mesh>& meshes) {
-    return trace(scene.view(), scene.radar(), Geometry(meshes), frequency_hz).rx[0];
+/// The waves that meet the plate alone, with screens in the way.
+Scatter trace_with(const PlateScene& scene, const std::vector<Mesh>& screens) {
+    Scatter scatter = trace(scene.target(screens), scene.antennas(),
+                            {.highest_hz = frequency_hz, .accuracy_db = 1e-9, .max_bounces = 1});
+    std::erase_if(scatter.routes, [](const RouteScatter& r) { return r.route.body != 0; });
+    return scatter;
 }
 
-Complex echo(const PairScatter& pair) {
-    return direct_sum(pair, perfect_conductor(), frequency_hz);
+Complex echo(const Scatter& scatter) {
+    const Reflector mirror = perfect_conductor();
+    return direct_sum(scatter, 0, {&mirror, 1}, frequency_hz);
 }
 
 /// A plate that is a part of a bigger one: x from `left` to `right`.
@@ -63,9 +68,9 @@ TEST_CASE("what only the receiver cannot see is missing too", "[trace]") {
     scene.tx_m = {-0.2, 0.0, 0.0};
     scene.rx_m = {0.2, 0.0, 0.0};
     const Mesh over_rx = screen(0.15, 0.25, 0.4);  // close below the receiver
-    CHECK(trace_with(scene, {over_rx}).path_m.empty());
+    CHECK(trace_with(scene, {over_rx}).n_points() == 0);
     std::swap(scene.tx_m, scene.rx_m);
-    CHECK(trace_with(scene, {over_rx}).path_m.empty());
+    CHECK(trace_with(scene, {over_rx}).n_points() == 0);
 }
 
 TEST_CASE("no plate shadows itself, flat, domed or dished", "[trace]") {
@@ -76,23 +81,18 @@ TEST_CASE("no plate shadows itself, flat, domed or dished", "[trace]") {
         scene.pose.height_m = 0.15 + 0.5 * stream.uniform();
         scene.pose.sample = {stream.uniform() - 0.5, stream.uniform() - 0.5};
         scene.rx_m = {0.02 * stream.uniform(), 0.0, 0.0};
-        const Mesh own = triangulate(scene.plate, scene.view().plate_placement);
-        const PairScatter alone = trace_with(scene, {}), with_itself = trace_with(scene, {own});
+        const Mesh far_away = screen(5.0, 5.1, 0.0);  // makes the tracer look for shadows
         INFO("bow " << scene.plate.bow_m << ", height " << scene.pose.height_m);
-        CHECK(alone.path_m == with_itself.path_m);
+        CHECK(std::abs(echo(trace_with(scene, {far_away})) - echo(trace_with(scene, {}))) <
+              1e-9 * isotropic_mirror(scene.pose.height_m, frequency_hz));
     }
 }
 
-TEST_CASE("a face turned away is not seen", "[trace]") {
+TEST_CASE("a metal plate echoes from its back as from its front", "[trace]") {
     PlateScene scene;
+    const Complex front = echo(scene.scatter(frequency_hz));
     scene.pose.sample.about_y_rad = pi;
-    CHECK(scene.scatter(frequency_hz).path_m.empty());
-    scene.pose.sample.about_y_rad = 0.0;
-    scene.pose.height_m = -0.45;  // the radar below the face
-    CHECK(scene.scatter(frequency_hz).path_m.empty());
-    const Scatter nothing{{PairScatter{}}};
-    CHECK(nothing.path_m().high == 0.0);
-    CHECK(nothing.cos_incidence().low == 1.0);
+    CHECK(std::abs(echo(scene.scatter(frequency_hz)) - front) < 1e-9 * std::abs(front));
 }
 
 TEST_CASE("more points than asked for change nothing", "[trace]") {
@@ -115,7 +115,7 @@ TEST_CASE("more points than asked for change nothing", "[trace]") {
         const Complex finer = echo(scene.scatter(1.3 * frequency_hz));
         worst = std::max(worst, std::abs(usual - finer) / std::abs(finer));
     }
-    CHECK(worst < 1e-7);  // ten times better than the 1e-6 that points_needed promises; 3e-9 seen
+    CHECK(worst < 1e-6);  // 1e-9 dB were asked for of each patch in phase; edges are 1e-3 of that
 }
 
 TEST_CASE("a radar above the edge of a wide plate sees half of it, above the corner a quarter",
@@ -140,11 +140,13 @@ TEST_CASE("a radar above the edge of a wide plate sees half of it, above the cor
 TEST_CASE("paths and angles are those of the geometry", "[trace]") {
     PlateScene scene;
     scene.plate = {.size_x_m = 0.1, .size_y_m = 0.1};
-    const PairScatter pair = scene.scatter(frequency_hz);
-    const auto [shortest, longest] = std::minmax_element(pair.path_m.begin(), pair.path_m.end());
+    const Scatter scatter = scene.scatter(frequency_hz);
+    const PairScatter& pair = scatter.routes.at(0).rx.at(0);
+    const auto [shortest, longest] =
+        std::minmax_element(pair.path_m.begin(), pair.path_m.end());
     const double corner_m = std::hypot(0.05, 0.05, 0.45);
     CHECK(*shortest >= 2.0 * 0.45);
-    CHECK(*shortest < 2.0 * 0.45 + 1e-5);  // the middle point lies within 2 mm of the foot
+    CHECK(*shortest < 2.0 * 0.45 + 5e-4);  // the middle point lies within 15 mm of the foot
     CHECK(*longest < 2.0 * corner_m);
     CHECK(*longest > 2.0 * corner_m - 1e-3);
     bool along_the_path = true;

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "sim/trace/surface.hpp"
+
+namespace specula {
+
+/// Where the phase of a patch's integrand comes from: exp(-jk (|source - p| + |p - rx|)).
+struct PhaseCentres {
+    Vector3 source_m;  ///< the TX, or its image in the faces on the way
+    Vector3 rx_m;
+};
+
+/// Points along u and v of a patch; either may exceed largest_gauss_rule: then the patch is cut.
+struct PointCount {
+    int u;
+    int v;
+};
+
+/// How many Gauss-Legendre points integrate exp(-jk path) over a patch.
+///
+/// For exp(jau) on [-1, 1] the error of n points falls like the Bessel function J_2n(a), that is,
+/// steeply beyond 2n = a; `a` is the largest rate of the phase, weighted by the spacing of the
+/// points sqrt(1 - u^2).
+/// @in  accuracy_db  > 0: error of the sum relative to what the patch would give in phase
+/// @eq  PHYSICS.md#quadrature
+PointCount points_needed(const Surface& surface, const Patch& patch, const PhaseCentres& centres,
+                         double wavelength_m, double accuracy_db);
+
+}  // namespace specula
