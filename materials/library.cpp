@@ -16,7 +16,7 @@ class Reader {
   public:
     Reader(const std::filesystem::path& folder, Shelf& shelf) : folder_(folder), shelf_(shelf) {
         for (const auto& entry : std::filesystem::directory_iterator(folder))
-            if (entry.path().extension() == ".toml") names_.insert(entry.path().stem().string());
+            if (is_description(entry.path())) names_.insert(entry.path().stem().string());
     }
 
     void read_all() {

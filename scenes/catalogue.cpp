@@ -13,7 +13,7 @@ namespace {
 std::vector<std::string> stems(const fs::path& folder) {
     std::vector<std::string> names;
     for (const auto& entry : fs::directory_iterator(folder))
-        if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
+        if (is_description(entry.path())) names.push_back(entry.path().stem().string());
     std::sort(names.begin(), names.end());
     return names;
 }

@@ -35,7 +35,7 @@ double Chirp::max_range_m() const {
 Chirp Chirp::read(Section& section) {
     Chirp chirp{
         .start_hz = section.quantity("start", Unit::frequency, Range::between(1e9, 300e9)),
-        .slope_hz_s = section.quantity("slope", Unit::slope, Range::inside(0.0, 1e15)),
+        .slope_hz_s = section.quantity("slope", Unit::slope, Range::between(1e9, 1e15)),
         .sample_rate_hz =
             section.quantity("sample_rate", Unit::frequency, Range::between(1e4, 1e8)),
         .n_samples = section.count("n_samples", Range::between(16, 1024)),

@@ -16,7 +16,7 @@ struct ChebyshevGrid {
     double unit(double x) const;
 };
 
-/// Number of points that interpolate exp(j a x) on [-1, 1] to 1e-9 (a up to 1000): the Chebyshev
+/// Number of points that interpolate exp(j a x) on [-1, 1] to 1e-9 (a up to 300): the Chebyshev
 /// coefficients J_n(a) fall faster than any power beyond n = a.
 int points_for_phase(double a_rad);
 

@@ -63,6 +63,10 @@ Section Section::parse(const std::string& text, const std::string& name) {
     return Section(std::make_shared<Table>(Table{std::move(source), root, ""}));
 }
 
+bool is_description(const std::filesystem::path& file) {
+    return file.extension() == ".toml" && file.filename().string().front() != '.';
+}
+
 std::string Section::text(const std::string& key) {
     const toml::node& node = table_->need(key);
     const auto* value = node.as_string();

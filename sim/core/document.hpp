@@ -100,6 +100,10 @@ class Section {
     std::shared_ptr<Table> table_;
 };
 
+/// Whether a file in a folder of descriptions is one by its name: *.toml, but not hidden, as are the
+/// marks that editors leave.
+bool is_description(const std::filesystem::path& file);
+
 /// Of `known`, the word with the fewest edits to `word`; empty where none is near: more than two
 /// edits and a third of the letters, or, in a short word, more than half of them.
 std::string nearest_word(const std::string& word, const std::vector<std::string>& known);

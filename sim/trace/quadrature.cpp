@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "sim/core/constants.hpp"
 
@@ -12,17 +13,43 @@ namespace {
 /// A patch this small against its distance has one rate of phase all over.
 constexpr double small_angle = 0.05;
 /// Part of the accuracy asked for that the points of a patch may use up.
-constexpr double share_of_points = 0.03;
+constexpr double share_of_points = 0.06;
 
-/// Points on [-1, 1] for exp(jau) and a relative error: J_n(a) is about Ai(x) (2/a)^(1/3) at
-/// n = a + x (a/2)^(1/3), and Ai(x) about exp(-2/3 x^(3/2)).
-/// What is left of a patch after its phases have met is about 1/a of it, so the error must be.
-int points_for(double a_rad, double share) {
-    const double error = share / (1.0 + a_rad);
-    if (a_rad * a_rad / 6.0 < error) return 1;
+/// The order from which on J_n(z) is below an error: by (z/2)^n / n!, or, sharper for large z, by
+/// J_n(z) ~ Ai(x) (2/z)^(1/3) at n = z + x (z/2)^(1/3) and Ai(x) < exp(-2/3 x^(3/2)).
+int order_beyond(double z, double error) {
     const double x = std::pow(1.5 * std::log(1.0 / error), 2.0 / 3.0);
-    return static_cast<int>(std::ceil(0.5 * (a_rad + x * std::cbrt(0.5 * a_rad)))) + 1;
+    const int enough = static_cast<int>(std::ceil(z + x * std::cbrt(0.5 * z)));
+    int n = 0;
+    for (double bound = 1.0; bound > error && n < enough; ++n) bound *= 0.5 * z / (n + 1);
+    return n;
 }
+
+/// A phase a u + q u^2 along one axis of a patch, u in [-1, 1].
+struct Phase {
+    double a_rad = 0.0;  ///< its largest rate, weighted by the spacing of the points
+    double q_rad = 0.0;
+};
+
+/// n points are exact up to degree 2n - 1. The Chebyshev coefficients beyond are J_2n(a) of a
+/// linear phase and J_n(q/2) of a quadratic one.
+/// What is left of a patch after its phases have met is about 1/a of it, so the error must be.
+int points_for(const Phase& phase, double share) {
+    const double error = share / (1.0 + phase.a_rad);
+    const int n = std::max((order_beyond(phase.a_rad, error) + 1) / 2,
+                           order_beyond(0.5 * phase.q_rad, error));
+    return n <= 1 ? 1 : n + 1;  // one more for what is neither, and for the spreading of the wave
+}
+
+/// Smallest and largest of what is looked at.
+struct Spread {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -std::numeric_limits<double>::infinity();
+    void take(double value) {
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+};
 
 }  // namespace
 
@@ -33,24 +60,36 @@ PointCount points_needed(const Surface& surface, const Patch& patch, const Phase
         (patch.half_u() * middle.along_u).norm() + (patch.half_v() * middle.along_v).norm();
     const double distance_m = std::min((middle.point_m - centres.source_m).norm(),
                                        (middle.point_m - centres.rx_m).norm());
-    const int looks = size_m < small_angle * distance_m ? 3 : 9;
+    const bool small = size_m < small_angle * distance_m;
+    const int looks = small ? 3 : 9;
+    // Straight below the antennas the rate is nothing in the middle and grows to both sides, most
+    // of it, weighted, at sqrt(1/2).
+    const double farthest = small ? std::sqrt(0.5) : 1.0;
     double rate_u = 0.0, rate_v = 0.0;
+    Spread spread_u, spread_v;
     for (int i = 0; i < looks; ++i) {
         for (int j = 0; j < looks; ++j) {
-            const double s = -1.0 + 2.0 * i / (looks - 1), t = -1.0 + 2.0 * j / (looks - 1);
+            const double s = farthest * (2.0 * i / (looks - 1) - 1.0);
+            const double t = farthest * (2.0 * j / (looks - 1) - 1.0);
             const SurfacePoint at = surface_point(surface, patch.u_at(s), patch.v_at(t));
             const Vector3 pull = (at.point_m - centres.source_m).normalized() +
                                  (at.point_m - centres.rx_m).normalized();
-            rate_u = std::max(rate_u, std::abs(pull.dot(at.along_u)) * std::sqrt(1.0 - s * s));
-            rate_v = std::max(rate_v, std::abs(pull.dot(at.along_v)) * std::sqrt(1.0 - t * t));
+            const double along_u = pull.dot(at.along_u), along_v = pull.dot(at.along_v);
+            rate_u = std::max(rate_u, std::abs(along_u) * std::sqrt(1.0 - s * s));
+            rate_v = std::max(rate_v, std::abs(along_v) * std::sqrt(1.0 - t * t));
+            spread_u.take(along_u);
+            spread_v.take(along_v);
         }
     }
     const double k = two_pi / wavelength_m;
+    const auto phase = [&](double rate, const Spread& spread, double half) {
+        return Phase{k * rate * half, k * (spread.high - spread.low) * half / (4.0 * farthest)};
+    };
     const double share = share_of_points * (std::pow(10.0, accuracy_db / 20.0) - 1.0);
     const bool is_triangle = std::holds_alternative<TriangleSurface>(surface);
     // A triangle's area element grows along u, so one point would sit off its centroid.
-    return {std::max(is_triangle ? 2 : 1, points_for(k * rate_u * patch.half_u(), share)),
-            points_for(k * rate_v * patch.half_v(), share)};
+    return {std::max(is_triangle ? 2 : 1, points_for(phase(rate_u, spread_u, patch.half_u()), share)),
+            points_for(phase(rate_v, spread_v, patch.half_v()), share)};
 }
 
 }  // namespace specula

@@ -66,6 +66,7 @@ TEST_CASE("a library reads the .toml files of its folder and refuses a wrong one
     const std::string text = project_file("materials/library/plexiglass.toml");
     folder.with("mine.toml", text);
     folder.with("notes.md", "no material");
+    std::filesystem::create_symlink("someone@somewhere.1", folder / ".#mine.toml");  // an editor's
     CHECK(Library(folder.path()).names() == std::vector<std::string>{"mine"});
     folder.with("broken.toml", "title = 3\n");
     CHECK(message_of([&] { return Library(folder.path()); }) ==

@@ -29,10 +29,11 @@ TEST_CASE("the catalogue knows what lies in its folders, sorted", "[catalogue]")
 
 TEST_CASE("files that are not descriptions are not listed", "[catalogue]") {
     const MadeUpFolder folder;
-    folder.with("scenes/radars/b.toml", "").parent_path();
+    folder.with("scenes/radars/b.toml", "");
     folder.with("scenes/radars/a.toml", "");
     folder.with("scenes/radars/notes.txt", "");
     folder.with("scenes/radars/b.toml~", "");
+    std::filesystem::create_symlink("someone@somewhere.1", folder / "scenes/radars/.#b.toml");
     folder.with("scenes/experiments/x", "");
     std::filesystem::create_directories(folder / "materials/library");
     const Catalogue made_up = Catalogue::open(folder.path());

@@ -92,7 +92,7 @@ TEST_CASE("a chirp that cannot be is refused at the key to change", "[chirp]") {
           "give at least 11");
     CHECK(error("slope_mhz_per_us", "0") ==
           "x.toml:2: slope_mhz_per_us = 0: is out of range; "
-          "give a value above 0 mhz_per_us and below 1000 mhz_per_us");
+          "give a value at least 0.001 mhz_per_us and at most 1000 mhz_per_us");
     CHECK(error("slope_mhz_per_us", "-150").find("is out of range") != std::string::npos);
     CHECK(error("start_ghz", "0.5").find("at least 1 ghz and at most 300 ghz") !=
           std::string::npos);

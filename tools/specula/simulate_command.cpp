@@ -1,14 +1,16 @@
 #include <cstdio>
 
 #include "firmware/fw_extract.h"
+#include "sim/core/error.hpp"
+#include "sim/core/expect.hpp"
 #include "sim/core/format.hpp"
 #include "sim/core/version.hpp"
 #include "sim/dataset/dataset.hpp"
 #include "sim/link_budget.hpp"
 #include "sim/simulate.hpp"
+#include "tools/console/console.hpp"
 #include "tools/specula/bar_chart.hpp"
 #include "tools/specula/commands.hpp"
-#include "tools/console/console.hpp"
 
 namespace specula {
 
@@ -63,8 +65,16 @@ std::vector<float> range_profile(const AdcFrame& frame, std::uint16_t n_bins) {
                                    .integration = FW_INTEGRATE_MEAN};
     std::vector<float> profile(n_bins);
     std::vector<float> scratch(fw_extract_scratch(&view) / sizeof(float) + 1);
-    fw_extract(&view, &config, scratch.data(), scratch.size() * sizeof(float), profile.data());
+    SPECULA_EXPECT(fw_extract(&view, &config, scratch.data(), scratch.size() * sizeof(float),
+                              profile.data()) == FW_OK);
     return profile;
+}
+
+/// Enough bins to show the sample with something behind it.
+std::uint16_t shown_bins(const Scene& scene) {
+    const Chirp& chirp = scene.radar.chirp;
+    const int reached = static_cast<int>(chirp.bin_of(scene.pose.height_m)) + 8;
+    return static_cast<std::uint16_t>(std::min(std::max(24, reached), chirp.n_samples / 2));
 }
 
 }  // namespace
@@ -72,13 +82,15 @@ std::vector<float> range_profile(const AdcFrame& frame, std::uint16_t n_bins) {
 void simulate_command(const SimulateArguments& arguments, const Catalogue& catalogue) {
     const Scene scene = read_scene(arguments.scene, catalogue);
     const Chirp& chirp = scene.radar.chirp;
+    const fs::path out =
+        arguments.out.empty() ? fs::path(arguments.scene.stem().string() + ".h5") : arguments.out;
+    std::error_code ignored;
+    if (fs::equivalent(out, arguments.scene, ignored))
+        throw InputError(out.string() + ": is the scene itself; give --out another name");
     for (const BandWarning& warning : band_warnings(scene, catalogue.materials))
         say_warning(warning.text());
     Stream noise({.seed = arguments.seed, .purpose = "thermal noise"});
     const AdcFrame frame = simulate(scene, catalogue.materials, noise);
-    const fs::path out = arguments.out.empty()
-                             ? fs::path(arguments.scene.stem().string() + ".h5")
-                             : arguments.out;
     write_dataset(out, dataset_of(scene, frame, arguments, Section::read(arguments.scene)));
 
     const LinkBudget mirror = mirror_budget(scene.radar, scene.pose.height_m);
@@ -87,12 +99,12 @@ void simulate_command(const SimulateArguments& arguments, const Catalogue& catal
                 chirp.bin_of(scene.pose.height_m), chirp.bin_m() * 1e3);
     std::printf("an infinite mirror there: %.1f dBm at the RX, %.0f LSB (IF high-pass %.1f dB)\n\n",
                 mirror.received_dbm, mirror.amplitude_lsb, mirror.high_pass_db);
-    const auto n_bins = static_cast<std::uint16_t>(std::min(24, frame.n_samples / 2));
+    const std::uint16_t n_bins = shown_bins(scene);
     std::vector<std::string> labels;
     for (int bin = 0; bin < n_bins; ++bin)
         labels.push_back(format("bin {:2} {:6.1f} cm", bin, 100.0 * bin * chirp.bin_m()));
-    std::printf("%s\nWrote %s\n",
-                bar_chart(labels, range_profile(frame, n_bins), 0.05).c_str(), out.c_str());
+    std::printf("%s\nWrote %s\n", bar_chart(labels, range_profile(frame, n_bins), 0.05).c_str(),
+                out.c_str());
 }
 
 }  // namespace specula

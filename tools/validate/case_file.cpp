@@ -35,17 +35,32 @@ std::string field_before(const std::string& text, std::size_t place) {
     return {};
 }
 
+std::ptrdiff_t line_of(const std::string& text, std::size_t place) {
+    const std::size_t end = std::min(place, text.size());
+    return 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
+}
+
 [[noreturn]] void not_json(const fs::path& path, const std::string& text, std::size_t place) {
     const std::size_t at = std::min(place > 0 ? place - 1 : 0, text.size());
-    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<long>(at), '\n');
     const std::size_t around = at - std::min<std::size_t>(at, 10);
     const std::string near = text.substr(around, 20);
     const std::string field = field_before(text, at);
     const std::string where =
-        format("{}:{}: {}", path.string(), line, field.empty() ? "" : field + ": ");
+        format("{}:{}: {}", path.string(), line_of(text, at), field.empty() ? "" : field + ": ");
     if (near.find("NaN") != std::string::npos || near.find("Infinity") != std::string::npos)
         throw InputError(where + "NaN and Infinity are no numbers in JSON; give a finite number");
     throw InputError(where + "not JSON from here on; mend the file");
+}
+
+/// A number beyond double; the parser's words end in "parsing '1e999'".
+[[noreturn]] void too_large(const fs::path& path, const std::string& text,
+                            const std::string& words) {
+    const std::size_t quote = words.find('\'');
+    const std::string number = words.substr(quote + 1, words.rfind('\'') - quote - 1);
+    const std::size_t place = text.find(number);
+    throw InputError(format("{}:{}: {} = {}: beyond what a computer counts to; use less than 1e308",
+                            path.string(), line_of(text, place), field_before(text, place),
+                            number));
 }
 
 nlohmann::json parsed(const fs::path& path, const std::string& text) {
@@ -53,8 +68,8 @@ nlohmann::json parsed(const fs::path& path, const std::string& text) {
         return nlohmann::json::parse(text);
     } catch (const nlohmann::json::parse_error& error) {
         not_json(path, text, error.byte);
-    } catch (const nlohmann::json::exception&) {  // numbers beyond double
-        throw InputError(path.string() + ": a number is too large; use values below 1e308");
+    } catch (const nlohmann::json::exception& error) {
+        too_large(path, text, error.what());
     }
 }
 

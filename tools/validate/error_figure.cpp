@@ -15,7 +15,8 @@ namespace {
 constexpr Canvas canvas{.width_px = 912.0, .height_px = 360.0};
 constexpr PixelBox area{.left = 76.0, .top = 62.0, .right = 900.0, .bottom = 304.0};
 constexpr double least_share = 1e-7, most_share = 1e3, legend_px = 34.0;
-constexpr std::size_t even_series = 0, odd_series = 1, failed_series = 2, unknown_series = 6;
+constexpr std::size_t passed_series = 0, failed_series = 2, unknown_series = 6;
+constexpr std::size_t all_series[] = {passed_series, failed_series, unknown_series};
 
 /// A point as it is drawn.
 struct Dot {
@@ -50,9 +51,7 @@ Places places_of(const std::vector<const CaseVerdict*>& cases) {
                 places.dots.push_back({x, most_share, unknown_series});
             else if (worst != nullptr)
                 places.dots.push_back({x, drawn_share(worst->share()),
-                                       verdict == Verdict::fail ? failed_series
-                                       : i % 2 == 0             ? even_series
-                                                                : odd_series});
+                                       verdict == Verdict::fail ? failed_series : passed_series});
         }
         places.middle.push_back(static_cast<double>(i) + 0.5);
         if (i > 0) places.border.push_back(static_cast<double>(i));
@@ -63,7 +62,7 @@ Places places_of(const std::vector<const CaseVerdict*>& cases) {
 
 std::string blocks(const Places& places) {
     std::string text;
-    for (const std::size_t series : {even_series, odd_series, failed_series, unknown_series}) {
+    for (const std::size_t series : all_series) {
         text += format("$s{} << END\n", series);
         for (const Dot& dot : places.dots)
             if (dot.series == series) text += format("{} {}\n", dot.x, dot.share);
@@ -78,7 +77,7 @@ std::string axes(const std::vector<const CaseVerdict*>& cases, const Places& pla
         tics +=
             format("{}{} {}", i > 0 ? ", " : "", gnuplot_quoted(cases[i]->kind), places.middle[i]);
     std::string text = format(
-        "set xrange [0:{}]\nset xtics ({}) scale 0\nset logscale y\nset format y '10^{{%T}}'\n"
+        "set xrange [0:{}]\nset xtics ({}) scale 0\nset logscale y\nset format y '%g'\n"
         "set yrange [{}:{}]\nset ytics 10\nset mytics 1\nset grid ytics noxtics\n",
         places.end, tics, least_share * 0.5, most_share * 2.0);
     for (const double x : places.border)
@@ -92,9 +91,21 @@ std::string axes(const std::vector<const CaseVerdict*>& cases, const Places& pla
                       soft_ink);
 }
 
+/// Above the right end of the line at 1.
+std::string tolerance_label() {
+    const double decades = std::log10(most_share * 2.0) - std::log10(least_share * 0.5);
+    const double up = -std::log10(least_share * 0.5) / decades;
+    return canvas.label({.text = "tolerance",
+                         .x_px = area.right - 4,
+                         .y_px = area.bottom - (area.bottom - area.top) * up - 8,
+                         .align = "right",
+                         .size_px = 11,
+                         .colour = soft_ink});
+}
+
 std::string curves() {
     std::string text;
-    for (const std::size_t series : {even_series, odd_series, failed_series, unknown_series})
+    for (const std::size_t series : all_series)
         text += format(
             "{}$s{} using 1:2 with points pointtype {} pointsize 0.45 linecolor rgb '{}'",
             text.empty() ? "plot " : ", ", series, series_point(series), series_colour(series));
@@ -110,9 +121,8 @@ std::string legend() {
                            .point_size = 0.6};
     };
     return legend_row(canvas, area.left, legend_px,
-                      {entry("within tolerance", even_series),
-                       entry("the same, every other case", odd_series),
-                       entry("beyond", failed_series), entry("cannot be computed", unknown_series)})
+                      {entry("within tolerance", passed_series), entry("beyond", failed_series),
+                       entry("cannot be computed", unknown_series)})
         .commands;
 }
 
@@ -150,7 +160,7 @@ Figure error_figure(const std::string& name, const std::string& title,
         .script = axes_style() + blocks(places) + axes(cases, places) + canvas.frame(area) +
                   canvas.label(
                       {.text = title, .x_px = area.left, .y_px = 14, .size_px = 13, .bold = true}) +
-                  legend() +
+                  tolerance_label() + legend() +
                   canvas.axis_titles(area, "case, its points side by side", "error / tolerance") +
                   curves(),
         .csv = csv(cases),

@@ -19,8 +19,12 @@ std::string shortened(const nlohmann::json& value) {
 }
 
 std::string interval(const Range& range) {
-    return format("{} {} and {} {}", range.min_excluded ? "above" : "from", range.min,
-                  range.max_excluded ? "below" : "up to", range.max);
+    const std::string low =
+        range.min_excluded ? format("above {}", range.min) : format("of {} or more", range.min);
+    const std::string high =
+        range.max_excluded ? format("below {}", range.max) : format("up to {}", range.max);
+    if (std::isinf(range.max)) return low;
+    return std::isinf(range.min) ? high : low + " and " + high;
 }
 
 }  // namespace

@@ -16,32 +16,39 @@ namespace {
 
 constexpr const char* none = "\u2013";
 
+/// May be broken behind every underscore.
+std::string breakable(const std::string& name) {
+    std::string text;
+    for (const char c : name) text += c == '_' ? std::string("_\u200b") : std::string(1, c);
+    return text;
+}
+
 ReportTable case_table(const Validation& validation) {
     ReportTable table{.caption =
                           "Every case, and the quantity that comes nearest to its tolerance "
                           "or misses it by most.",
                       .columns = {{"", "Case", false},
-                                  {"", "Title", false},
+                                  {"", "Verdict", false},
                                   {"", "Points"},
                                   {"", "Worst error"},
                                   {"", "Tolerance"},
                                   {"", "Quantity", false},
-                                  {"", "Expectation", false},
-                                  {"", "Verdict", false}},
+                                  {"", "Title", false}},
                       .rows = {},
                       .note = {}};
     for (const CaseVerdict& verdict : validation.cases) {
         const Quantity* worst = verdict.worst();
-        table.rows.push_back(
-            {verdict.id, verdict.title, format("{}", verdict.points.size()),
-             worst == nullptr ? none : ErrorText{worst->error, worst->unit}.text(),
-             worst == nullptr ? none : ErrorText{worst->tolerance, worst->unit}.text(),
-             worst == nullptr ? none : worst->name, verdict.level,
-             verdict_name(verdict.verdict())});
+        const auto text = [&](double Quantity::*value) {
+            return worst == nullptr ? none : ErrorText{worst->*value, worst->unit}.text();
+        };
+        table.rows.push_back({breakable(verdict.id), verdict_name(verdict.verdict()),
+                              format("{}", verdict.points.size()), text(&Quantity::error),
+                              text(&Quantity::tolerance),
+                              worst == nullptr ? none : breakable(worst->name), verdict.title});
     }
     for (const CaseVerdict& verdict : validation.cases)
         if (const std::size_t n = verdict.n_shown_only(); n > 0)
-            table.note += format("{}{}: {} quantities are informative, not judged.",
+            table.note += format("{}{}: {} numbers are informative, not judged.",
                                  table.note.empty() ? "" : " ", verdict.id, n);
     return table;
 }

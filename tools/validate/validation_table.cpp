@@ -26,6 +26,17 @@ Row row_of(const CaseVerdict& verdict) {
             verdict.title};
 }
 
+/// Names come from files: no control character reaches the terminal.
+std::string printable(std::string text) {
+    for (char& c : text)
+        if (static_cast<unsigned char>(c) < ' ' || c == 0x7f) c = '?';
+    return text;
+}
+
+std::string counted(std::size_t n, const std::string& thing) {
+    return format("{} {}{}", n, thing, n == 1 ? "" : "s");
+}
+
 /// The second column flush right, the others left, the last as long as it is.
 std::string lines(const std::vector<Row>& rows) {
     std::array<std::size_t, n_columns> width{};
@@ -93,8 +104,8 @@ std::string complaint(const CaseVerdict& verdict) {
 }
 
 std::string validation_sum(const Validation& validation) {
-    return format("{} cases, {} points: {} cases pass, {} fail, {} cannot be computed",
-                  validation.cases.size(), validation.n_points(),
+    return format("{}, {}: {} pass, {} fail, {} cannot be computed",
+                  counted(validation.cases.size(), "case"), counted(validation.n_points(), "point"),
                   validation.n_cases_with(Verdict::pass), validation.n_cases_with(Verdict::fail),
                   validation.n_cases_with(Verdict::not_computable));
 }
@@ -102,15 +113,21 @@ std::string validation_sum(const Validation& validation) {
 std::string validation_table(const Validation& validation) {
     std::vector<Row> rows{{"case", "points", "worst error", "tolerance", "of", "verdict", "title"}};
     for (const CaseVerdict& verdict : validation.cases) rows.push_back(row_of(verdict));
-    std::string text = lines(rows) + "\n";
+    for (Row& row : rows)
+        for (std::string& cell : row) cell = printable(cell);
+    std::string text = lines(rows);
+    const auto add = [&](const std::string& name, const std::string& remark) {
+        text += printable(format("{}: {}", name, remark)) + "\n";
+    };
+    text += "\n";
     for (const CaseVerdict& verdict : validation.cases)
         if (const std::string problem = complaint(verdict); !problem.empty())
-            text += format("{}: {}\n", verdict.id, problem);
+            add(verdict.id, problem);
     for (const CaseVerdict& verdict : validation.cases)
         if (const std::size_t n = verdict.n_shown_only(); n > 0)
-            text += format("{}: {} quantities are informative, not judged\n", verdict.id, n);
+            add(verdict.id, counted(n, "number") + " informative, not judged");
     for (const std::string& file : validation.others)
-        text += format("{}: no case (neither id nor points), left out\n", file);
+        add(file, "no case (neither id nor points), left out");
     return text + validation_sum(validation) + "\n";
 }
 

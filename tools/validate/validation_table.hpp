@@ -20,7 +20,7 @@ std::string validation_table(const Validation& validation);
 /// a case that passes.
 std::string complaint(const CaseVerdict& verdict);
 
-/// "46 cases, 789 points: 26 cases pass, 0 fail, 20 cannot be computed".
+/// "46 cases, 789 points: 26 pass, 0 fail, 20 cannot be computed".
 std::string validation_sum(const Validation& validation);
 
 }  // namespace specula

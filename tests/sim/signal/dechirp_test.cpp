@@ -57,7 +57,7 @@ TEST_CASE("the beat of a path is what mixing the two chirps gives", "[signal]") 
             off = std::max(off, std::abs(found[static_cast<std::size_t>(i)] - mixed));
         }
         INFO("range " << range_m);
-        CHECK(off < 1e-11);  // rounding of up to 2000 turns: 2000 * 2 pi * 1e-16; 2e-12 seen
+        CHECK(off < 1e-11);  // rounding of up to 2000 turns: 2000 * 2 pi * 1e-16; 1e-12 seen
     }
 }
 

@@ -43,6 +43,26 @@ TEST_CASE("the same seed gives the same codes, another one other noise", "[progr
     CHECK(fingerprint("4") != first);
 }
 
+TEST_CASE("a far sample is in the chart too", "[program][simulate]") {
+    const MadeUpFolder folder;
+    folder.with("far.toml", edited(content_of(plate), "height_mm = 450", "height_m = 1.5"));
+    const Ended ended = specula_in(folder.path(), {"simulate", "far.toml"});
+    CHECK(contains(ended.output, "at 1500 mm: bin 38.43 of 39.04 mm each"));
+    CHECK(contains(ended.output, "\nbin 38  148.3 cm "));
+    CHECK(contains(ended.output, "\nbin 39  152.2 cm "));
+}
+
+TEST_CASE("a scene is never overwritten by its own dataset", "[program][simulate]") {
+    const MadeUpFolder folder;
+    folder.with("x.toml", content_of(plate));
+    const Ended ended = specula_in(folder.path(), {"simulate", "x.toml", "-o", "./x.toml"});
+    CHECK(ended.status == 2);
+    CHECK(ended.errors ==
+          "specula: error: ./x.toml: is the scene itself; give --out another name\n");
+    const bool kept = content_of(folder / "x.toml") == content_of(plate);
+    CHECK(kept);
+}
+
 TEST_CASE("a dataset that cannot be written is named, and no draft stays", "[program][simulate]") {
     const MadeUpFolder folder;
     folder.with("file", "kept");
