@@ -213,16 +213,17 @@ Complex direct_sum(const Scatter& scatter, int rx, std::span<const Reflector> re
         const auto stack_of = [&](const Event& event) {
             return reflectors[static_cast<std::size_t>(event.body)](frequency_hz);
         };
+        const Event currents = currents_of(route.route);
+        const Stack currents_stack = stack_of(currents);
+        std::vector<Stack> stacks;
+        for (const Event& event : events) stacks.push_back(stack_of(event));
         std::vector<TeTm> at(events.size());
         for (std::size_t point = 0; point < pair.path_m.size(); ++point) {
             for (std::size_t e = 0; e < events.size(); ++e)
-                at[e] =
-                    coefficients_of(events[e], stack_of(events[e]), pair.event_cosine[e][point]);
-            const Event currents = currents_of(route.route);
-            sum +=
-                std::polar(1.0, -k * pair.path_m[point]) *
-                point_sum(pair, point, at, route.route.before.size(),
-                          coefficients_of(currents, stack_of(currents), pair.cos_incidence[point]));
+                at[e] = coefficients_of(events[e], stacks[e], pair.event_cosine[e][point]);
+            sum += std::polar(1.0, -k * pair.path_m[point]) *
+                   point_sum(pair, point, at, route.route.before.size(),
+                             coefficients_of(currents, currents_stack, pair.cos_incidence[point]));
         }
     }
     return surface_factor * sum;

@@ -10,18 +10,21 @@ namespace specula {
 
 namespace {
 
-/// A patch this small against its distance has one rate of phase all over.
+/// Over a patch this small against its distance the rate of phase changes evenly: few looks do.
 constexpr double small_angle = 0.05;
 /// Part of the accuracy asked for that the points of a patch may use up.
-constexpr double share_of_points = 0.06;
+constexpr double share_of_points = 0.03;
+/// The same for a single point per axis, whose error is known and not estimated.
+constexpr double share_of_one_point = 0.3;
 
-/// The order from which on J_n(z) is below an error: by (z/2)^n / n!, or, sharper for large z, by
+/// The order from which on J_n(z) is below an error: by (z/2)^n / n!, or, sharper for z > 1, by
 /// J_n(z) ~ Ai(x) (2/z)^(1/3) at n = z + x (z/2)^(1/3) and Ai(x) < exp(-2/3 x^(3/2)).
 int order_beyond(double z, double error) {
     const double x = std::pow(1.5 * std::log(1.0 / error), 2.0 / 3.0);
-    const int enough = static_cast<int>(std::ceil(z + x * std::cbrt(0.5 * z)));
+    const double enough = z + x * std::cbrt(0.5 * z);
     int n = 0;
-    for (double bound = 1.0; bound > error && n < enough; ++n) bound *= 0.5 * z / (n + 1);
+    for (double bound = 1.0; bound > error && (z <= 1.0 || n < enough); ++n)
+        bound *= 0.5 * z / (n + 1);
     return n;
 }
 
@@ -36,9 +39,11 @@ struct Phase {
 /// What is left of a patch after its phases have met is about 1/a of it, so the error must be.
 int points_for(const Phase& phase, double share) {
     const double error = share / (1.0 + phase.a_rad);
+    const double of_one_point = phase.a_rad * phase.a_rad / 6.0 + phase.q_rad / 3.0;
+    if (of_one_point < share_of_one_point / share_of_points * error) return 1;
     const int n = std::max((order_beyond(phase.a_rad, error) + 1) / 2,
                            order_beyond(0.5 * phase.q_rad, error));
-    return n <= 1 ? 1 : n + 1;  // one more for what is neither, and for the spreading of the wave
+    return n <= 2 ? 2 : n + 1;  // one more for what is neither
 }
 
 /// Smallest and largest of what is looked at.
@@ -86,10 +91,13 @@ PointCount points_needed(const Surface& surface, const Patch& patch, const Phase
         return Phase{k * rate * half, k * (spread.high - spread.low) * half / (4.0 * farthest)};
     };
     const double share = share_of_points * (std::pow(10.0, accuracy_db / 20.0) - 1.0);
+    // Seen under a wide angle, a patch is not equally bright all over.
+    const int fewest = size_m * size_m < share * distance_m * distance_m ? 1 : 2;
     const bool is_triangle = std::holds_alternative<TriangleSurface>(surface);
     // A triangle's area element grows along u, so one point would sit off its centroid.
-    return {std::max(is_triangle ? 2 : 1, points_for(phase(rate_u, spread_u, patch.half_u()), share)),
-            points_for(phase(rate_v, spread_v, patch.half_v()), share)};
+    return {std::max(is_triangle ? 2 : fewest,
+                     points_for(phase(rate_u, spread_u, patch.half_u()), share)),
+            std::max(fewest, points_for(phase(rate_v, spread_v, patch.half_v()), share))};
 }
 
 }  // namespace specula

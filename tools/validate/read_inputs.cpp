@@ -19,16 +19,16 @@ double cos_incidence_of(const Fields& inp) {
 }
 
 double frequency_of(const Fields& inp) {
-    return inp.number_of({"f_hz", "f"}, Range::above(0.0));
+    return inp.number_of({"f_hz", "f"}, Range::between(1e3, 1e13));
 }
 
 namespace {
 
 Chirp sampled_at(const Fields& inp, double rate_hz) {
-    const int n_samples = inp.count("N", Range::between(2, 1 << 20));
+    const int n_samples = inp.count("N", Range::between(2, most_samples));
     const double bandwidth_hz = inp.number_of({"B_hz", "B"}, Range::above(0.0));
     const double duration_s = n_samples / rate_hz;
-    return {.start_hz = inp.number_of({"f0_hz", "f0"}, Range::above(0.0)),
+    return {.start_hz = inp.number_of({"f0_hz", "f0"}, Range::between(1e3, 1e13)),
             .slope_hz_s = bandwidth_hz / duration_s,
             .sample_rate_hz = rate_hz,
             .n_samples = n_samples,

@@ -7,12 +7,16 @@
 
 namespace specula {
 
+/// The longest chirp and the longest transform that cases may ask for: sums are written out.
+inline constexpr int most_samples = 1 << 14;
+inline constexpr int longest_transform = 1 << 16;
+
 /// What several kinds of cases give in the same way.
 
 /// Cosine of `theta_deg`, 0 to below 90.
 double cos_incidence_of(const Fields& inp);
 
-/// `f_hz` or `f`, above 0.
+/// `f_hz` or `f`, 1 kHz to 10 THz.
 double frequency_of(const Fields& inp);
 
 /// `f0_hz`, `B_hz`, `N`, `fs_hz` (or `f0`, `B`, `fs`): samples from the start of the ramp.

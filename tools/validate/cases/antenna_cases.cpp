@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "sim/core/constants.hpp"
@@ -21,11 +22,12 @@ double exponent(const Pattern& pattern, const Vector3& direction, double cosine)
 
 std::vector<Quantity> pattern_integral_point(const CasePoint& point) {
     constexpr Range angle_deg{.min = 1.0, .max = 90.0, .max_excluded = true};
-    const Pattern pattern = PatchPattern{
+    const PatchPattern patch{
         .gain_dbi = point.inp.number("G0_dbi"),
         .half_width_azimuth_rad = point.inp.number("az6_deg", angle_deg) * pi / 180.0,
         .half_width_elevation_rad = point.inp.number("el6_deg", angle_deg) * pi / 180.0};
-    const double integral = gain_over_sphere(pattern);
+    const Pattern pattern = patch;
+    const double integral = gain_over_sphere(patch);
     const double share = integral / (4.0 * pi);
     const double cosine = std::cos(0.5), sine = std::sin(0.5);  // anywhere off the axis
     Comparison compare(point);
@@ -48,6 +50,8 @@ std::vector<Quantity> intercepted_power_point(const CasePoint& point) {
     const PlateBelow plate{.size_x_m = length_m,
                            .size_y_m = point.inp.number_or("Ly_m", length_m, Range::above(0.0)),
                            .height_m = point.inp.number("H_m", Range::above(0.0))};
+    if (std::max(plate.size_x_m, plate.size_y_m) > 1000.0 * plate.height_m)
+        throw NotComputable("integrates over plates of a thousand heights at most");
     const bool isotropic = std::holds_alternative<IsotropicPattern>(pattern);
     Comparison compare(point);
     compare.relative("fraction", intercepted_share(pattern, plate), "rel");

@@ -30,8 +30,8 @@ double conductivity_s_m(const Electrics& medium, double frequency_hz) {
     return -medium.permittivity.imag() * two_pi * frequency_hz * vacuum_permittivity_f_m;
 }
 
-std::vector<Quantity> compared(const CasePoint& point, const Electrics& medium,
-                               double frequency_hz) {
+std::vector<Quantity> medium_point(const CasePoint& point, const Electrics& medium,
+                                   double frequency_hz) {
     const Complex permittivity = medium.permittivity;
     Comparison compare(point);
     compare.relative("eps", permittivity, "rel");
@@ -53,11 +53,11 @@ std::vector<Quantity> building_material_point(const CasePoint& point) {
     const std::string name = with_underscores(lower_case(point.inp.text("material")));
     const double frequency_hz = frequency_of(point.inp);
     if (const Material* material = point.library.find(name))
-        return compared(point, material->at(frequency_hz), frequency_hz);
+        return medium_point(point, material->at(frequency_hz), frequency_hz);
     const auto row = other_rows.find(name);
     if (row == other_rows.end())
         throw NotComputable(format("does not know the material \"{}\"", name));
-    return compared(point, row->second.at(frequency_hz), frequency_hz);
+    return medium_point(point, row->second.at(frequency_hz), frequency_hz);
 }
 
 std::vector<Quantity> relaxation_point(const CasePoint& point) {
@@ -66,12 +66,12 @@ std::vector<Quantity> relaxation_point(const CasePoint& point) {
     const double frequency_hz = frequency_of(point.inp);
     if (name == "water") {
         const double celsius = point.inp.number("T_C", Range::between(-100.0, 300.0));
-        return compared(point, Water{.temperature_k = 273.15 + celsius}.at(frequency_hz),
-                        frequency_hz);
+        return medium_point(point, Water{.temperature_k = 273.15 + celsius}.at(frequency_hz),
+                            frequency_hz);
     }
     const Material* material = point.library.find(name);
     if (material == nullptr) throw NotComputable(format("does not know the medium \"{}\"", name));
-    return compared(point, material->at(frequency_hz), frequency_hz);
+    return medium_point(point, material->at(frequency_hz), frequency_hz);
 }
 
 std::vector<Quantity> mixing_point(const CasePoint& point) {

@@ -18,7 +18,7 @@ namespace {
 
 /// The radar of a noise budget: a ramp of 1 % around the frequency, no high-pass.
 Radar budget_radar(const Fields& inp) {
-    const int n_samples = inp.count("N", Range::between(2, 1 << 20));
+    const int n_samples = inp.count("N", Range::between(2, most_samples));
     const double rate_hz = inp.number_of({"fs_hz", "fs"}, Range::above(0.0));
     const double centre_hz = frequency_of(inp);
     Radar radar;
@@ -95,6 +95,9 @@ std::vector<Quantity> phase_noise_point(const CasePoint& point) {
         const auto band_hz = point.inp.numbers("band_hz", Range::above(0.0));
         if (band_hz.size() != 2 || band_hz[0] >= band_hz[1])
             point.inp.fail("band_hz", "no band", "give [lowest, highest]");
+        constexpr double most_turns = 1e6;
+        if (band_hz[1] * delay_s > most_turns)
+            throw NotComputable("integrates over a million turns of f tau at most");
         Comparison compare(point);
         compare.relative(
             "residual_rms_rad",

@@ -2,11 +2,12 @@
 #include "sim/core/constants.hpp"
 #include "tools/validate/cases/cases.hpp"
 #include "tools/validate/comparison.hpp"
+#include "tools/validate/read_inputs.hpp"
 
 namespace specula {
 
 std::vector<Quantity> path_sum_point(const CasePoint& point) {
-    const int n = point.inp.count("N", Range::between(1, 1 << 20));
+    const int n = point.inp.count("N", Range::between(1, most_samples));
     const double first_hz = point.inp.number("f0_hz", Range::above(0.0));
     const FrequencyComb comb{.first_hz = first_hz, .step_hz = point.inp.number("B_hz") / n, .n = n};
     const auto delay_s = point.inp.numbers("tau_s");

@@ -107,9 +107,10 @@ std::vector<Quantity> quantisation_point(const CasePoint& point) {
 
 std::vector<Quantity> high_pass_point(const CasePoint& point) {
     point.inp.describe({"model"});
-    const double corner_hz = point.inp.number("fc_hz", Range::above(0.0));
     const double rate_hz = point.inp.number("fs_hz", Range::above(0.0));
-    const int n = point.inp.count("N", Range::at_least(2.0));
+    const double corner_hz =
+        point.inp.number("fc_hz", Range::between(1e-5 * rate_hz, 1e3 * rate_hz));
+    const int n = point.inp.count("N", Range::between(2.0, most_samples));
     const double tolerance_db = point.tolerance.number("db", Range::inside(0.0, 3.0));
     // An error of that level, turned by a quarter.
     const double tolerance_deg = std::asin(std::pow(10.0, tolerance_db / 20.0) - 1.0) * 180.0 / pi;

@@ -89,7 +89,8 @@ std::vector<Quantity> slab_echo_point(const CasePoint& point) {
     const double range_m = point.inp.number("R0_m", Range::at_least(0.0));
     const std::string described = lower_case(point.inp.text("window"));  // "hann(symmetric)"
     const auto window = window_values(described.substr(0, described.find('(')), chirp.n_samples);
-    const int padded = point.inp.count("nfft_peaks", Range::between(chirp.n_samples, 1 << 20));
+    const int padded =
+        point.inp.count("nfft_peaks", Range::between(chirp.n_samples, longest_transform));
     const Stack slab{
         .layers = {{.medium = {.permittivity = permittivity}, .thickness_m = thickness_m}}};
     const auto beat = slab_beat(chirp, slab, range_m);

@@ -17,7 +17,7 @@ double circumference_of(const Fields& inp) {
     return two_pi * frequency_of(inp) / speed_of_light_m_s * inp.number("radius_m", sizes);
 }
 
-std::vector<Quantity> compared(const CasePoint& point, double ka, double sigma_over_disc) {
+std::vector<Quantity> sphere_point(const CasePoint& point, double ka, double sigma_over_disc) {
     Comparison compare(point);
     compare.relative("sigma_over_pi_a2", sigma_over_disc, "rel");
     if (compare.wants("sigma_m2")) {
@@ -31,7 +31,7 @@ std::vector<Quantity> compared(const CasePoint& point, double ka, double sigma_o
 
 std::vector<Quantity> conducting_sphere_point(const CasePoint& point) {
     const double ka = circumference_of(point.inp);
-    return compared(point, ka, conducting_sphere_backscatter(ka));
+    return sphere_point(point, ka, conducting_sphere_backscatter(ka));
 }
 
 std::vector<Quantity> dielectric_sphere_point(const CasePoint& point) {
@@ -45,8 +45,9 @@ std::vector<Quantity> dielectric_sphere_point(const CasePoint& point) {
         if (index.real() < 0.0)
             point.inp.fail("refractive_index", "negative real part", "give n - j kappa, n >= 0");
     }
-    return compared(point, ka,
-                    dielectric_sphere_backscatter({.ka = ka, .refractive_index = index}));
+    if (std::abs(index) * ka > 1e7) throw NotComputable("sums spheres of |index| ka up to 1e7");
+    return sphere_point(point, ka,
+                        dielectric_sphere_backscatter({.ka = ka, .refractive_index = index}));
 }
 
 }  // namespace specula

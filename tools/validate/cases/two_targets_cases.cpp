@@ -33,7 +33,7 @@ std::vector<Quantity> two_targets_point(const CasePoint& point) {
     const Chirp chirp = chirp_of(point.inp);
     const double first_m = point.inp.number("R1_m", Range::at_least(0.0));
     const double second_m = first_m + point.inp.number("separation_m");
-    const int padded = point.inp.count("nfft", Range::between(chirp.n_samples, 1 << 20));
+    const int padded = point.inp.count("nfft", Range::between(chirp.n_samples, longest_transform));
     const auto samples = beat_samples(chirp, std::vector{PointEcho{first_m}, PointEcho{second_m}});
 
     const auto peaks = [&](const std::string& window, double threshold) {

@@ -4,8 +4,8 @@
 
 namespace specula {
 
-/// Integral of the gain over all directions; 4 pi for a lossless antenna.
-double gain_over_sphere(const Pattern& pattern);
+/// Integral of a patch's gain over all directions; 4 pi for a lossless antenna.
+double gain_over_sphere(const PatchPattern& patch);
 
 /// A rectangular plate below an antenna, centred and square to it.
 struct PlateBelow {
