@@ -23,7 +23,7 @@ struct PointCount {
 /// phase, weighted by the spacing of the points sqrt(1 - u^2), and q follows from how the rate
 /// changes over the patch.
 /// @in  accuracy_db  > 0: error of the sum relative to what the patch would give in phase; kept
-///                   with room down to 1e-3, within a factor of five at 1e-6
+///                   with room down to 1e-3, within a factor of three at 1e-6
 /// @eq  PHYSICS.md#quadrature
 PointCount points_needed(const Surface& surface, const Patch& patch, const PhaseCentres& centres,
                          double wavelength_m, double accuracy_db);
