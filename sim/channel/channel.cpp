@@ -60,8 +60,8 @@ void add_straight(const RouteScatter& scatter, std::span<const Reflector> reflec
     const double half_band_rad_m =
         0.5 * (wavenumber_rad_m(comb.last_hz()) - wavenumber_rad_m(comb.first_hz));
     MomentGrid grid{{comb.first_hz, comb.last_hz(), 1}, {cosine.low, cosine.high, 1}, reference_m};
-    grid.frequency_hz.n =
-        std::min(points_for_phase(half_band_rad_m * 0.5 * (path.high - path.low)), 4 * comb.n);
+    grid.frequency_hz.n = points_for_phase(half_band_rad_m * 0.5 * (path.high - path.low));
+    if (grid.frequency_hz.n > 4 * comb.n) return add_plainly(scatter, reflectors, comb, channel);
     const auto looks_hz = looks_of(comb);
     grid.cos_incidence.n = polynomials_needed(currents, reflector, looks_hz, grid.cos_incidence);
     if (grid.cos_incidence.n == 0) return add_plainly(scatter, reflectors, comb, channel);

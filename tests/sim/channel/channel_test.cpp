@@ -134,6 +134,22 @@ TEST_CASE("a comb of one frequency is summed too", "[channel]") {
     CHECK(std::abs(channel.of_rx(0)[0] - expected) < promised * std::abs(expected));
 }
 
+TEST_CASE("a comb of few frequencies far apart is summed too", "[channel]") {
+    // Its paths differ by many wavelengths of the band: more points to interpolate from than
+    // frequencies asked for.
+    PlateScene scene;
+    scene.plate = {.size_x_m = 0.5, .size_y_m = 0.05};
+    scene.pose.height_m = 0.15;
+    const FrequencyComb apart{57e9, 5e9, 2};
+    const Scatter scatter = scene.scatter(apart.last_hz());
+    const Reflector mirror = perfect_conductor();
+    const Channel channel = channel_of(scatter, {&mirror, 1}, apart);
+    for (int i = 0; i < apart.n; ++i) {
+        const Complex expected = direct_sum(scatter, 0, {&mirror, 1}, apart.at(i));
+        CHECK(std::abs(channel.of_rx(0)[i] - expected) < promised * std::abs(expected));
+    }
+}
+
 TEST_CASE("each receiver has its own channel", "[channel]") {
     const PlateScene scene = tilted_scene();
     Radar radar = scene.radar();
