@@ -23,10 +23,10 @@ std::filesystem::path own_cases(const std::filesystem::path& root) {
 }  // namespace
 
 int validate_command(const ValidateArguments& arguments, const Catalogue& catalogue) {
-    const Validation validation = validate(
-        {.folder = arguments.folder.empty() ? own_cases(catalogue.root) : arguments.folder,
-         .threads = arguments.threads},
-        catalogue.materials);
+    const Validation validation =
+        validate({.folder = arguments.folder.empty() ? own_cases(catalogue.root) : arguments.folder,
+                  .threads = arguments.threads},
+                 catalogue.materials);
     std::fputs(validation_table(validation).c_str(), stdout);
     if (!arguments.json.empty()) write_file_atomically(arguments.json, validation_json(validation));
     if (!arguments.html.empty()) write_html_report(arguments.html, validation_page(validation));

@@ -40,20 +40,32 @@ const std::map<std::string, ComputePoint> kinds{
     {"U01", path_sum_point},
 };
 
+/// In lower case, with a space for whatever is no letter or digit; sentences end in `stop`.
+std::string words_of(std::string text, char stop) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto c = static_cast<unsigned char>(text[i]);
+        const bool ends = c == '.' && (i + 1 == text.size() || text[i + 1] == ' ');
+        text[i] = std::isalnum(c) ? static_cast<char>(std::tolower(c)) : ends ? stop : ' ';
+    }
+    return text;
+}
+
 }  // namespace
 
-bool CasePoint::is_informative(const std::string& word) const {
+bool CasePoint::is_informative() const {
     if (!tolerance.is_text("note")) return false;
-    std::string note = tolerance.text("note");
-    std::transform(note.begin(), note.end(), note.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string note = words_of(tolerance.text("note"), '.');
     for (std::size_t begin = 0; begin < note.size();) {
-        const std::size_t end = std::min(note.find(". ", begin), note.size());
-        const std::string sentence = note.substr(begin, end - begin);
-        if (sentence.find("informative") != std::string::npos &&
-            sentence.find(word) != std::string::npos)
-            return true;
-        begin = end + 2;
+        const std::size_t end = std::min(note.find('.', begin), note.size());
+        const std::string sentence = " " + note.substr(begin, end - begin) + " ";
+        begin = end + 1;
+        if (sentence.find(" informative ") == std::string::npos) continue;
+        for (const std::string& text : inp.texts()) {
+            const std::string words = words_of(text, ' ');
+            const bool says_something = words.find_first_not_of(' ') != std::string::npos;
+            if (says_something && sentence.find(" " + words + " ") != std::string::npos)
+                return true;
+        }
     }
     return false;
 }

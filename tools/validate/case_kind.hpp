@@ -24,9 +24,9 @@ struct CasePoint {
           tolerance(case_file.tolerance()),
           library(materials) {}
 
-    /// Whether a sentence of the tolerance's note that holds `word` calls rows informative: those
-    /// are shown and not judged.
-    bool is_informative(const std::string& word) const;
+    /// Whether a sentence of the tolerance's note calls rows informative and holds, as a word, a
+    /// text of this point's `inp`: the point is then shown and not judged.
+    bool is_informative() const;
 };
 
 /// Computes from `inp` whatever `expect` holds. Throws NotComputable where it cannot, InputError

@@ -160,6 +160,13 @@ std::vector<std::vector<double>> Fields::rows(const std::string& name) const {
     return all;
 }
 
+std::vector<std::string> Fields::texts() const {
+    std::vector<std::string> all;
+    for (const auto& [name, value] : values_)
+        if (value->is_string()) all.push_back(value->get<std::string>());
+    return all;
+}
+
 bool Fields::is_text(const std::string& name) const {
     return has(name) && values_.at(name)->is_string();
 }

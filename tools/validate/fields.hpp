@@ -49,6 +49,7 @@ class Fields {
     /// A list of lists of numbers.
     std::vector<std::vector<double>> rows(const std::string& name) const;
 
+    std::vector<std::string> texts() const;  ///< all values that are texts
     bool is_text(const std::string& name) const;
     bool is_number(const std::string& name) const;
     bool is_list(const std::string& name) const;

@@ -44,7 +44,11 @@ PointVerdict computed(const CaseFile& file, std::size_t index, const Library& li
         return {.quantities = {},
                 .problem = format("cases of the kind \"{}\" cannot be computed", file.kind())};
     try {
-        return {.quantities = compute(CasePoint(file, index, library)), .problem = {}};
+        const CasePoint point(file, index, library);
+        PointVerdict verdict{.quantities = compute(point), .problem = {}};
+        if (point.is_informative())
+            for (Quantity& quantity : verdict.quantities) quantity.judged = false;
+        return verdict;
     } catch (const NotComputable& error) {
         return {.quantities = {}, .problem = error.what()};
     } catch (const InputError&) {

@@ -4,7 +4,6 @@
 
 #include "tests/check.hpp"
 #include "tests/tools/validate/made_up_case.hpp"
-#include "tools/validate/case_kind.hpp"
 #include "tools/validate/validation_json.hpp"
 #include "tools/validate/validation_table.hpp"
 
@@ -110,16 +109,22 @@ TEST_CASE("quantities that are not judged fail nothing", "[validate]") {
     CHECK(point.worst()->name == "a");
 }
 
-TEST_CASE("a note calls rows informative by the sentence that speaks of them", "[validate]") {
-    Json document = right;
-    document["tolerance"]["note"] =
-        "Dielectric rows contain echoes of the rear face; informative unless bounces are "
-        "modelled. PEC rows are exact";
-    const MadeUpFolder folder;
-    const CaseFile file = read_case_file(folder.with("case.json", document.dump()));
-    const CasePoint point(file, 0, materials_library());
-    CHECK(point.is_informative("dielectric"));
-    CHECK_FALSE(point.is_informative("pec"));
+TEST_CASE("rows that the tolerance's note calls informative are shown, not judged", "[validate]") {
+    const auto metal = [](const char* name, const char* note) {
+        Json document = case_of("M05_metals",
+                                {{"metal", name}, {"sigma", 1e7}, {"f_hz", 60e9}, {"theta_deg", 0}},
+                                {{"R_TE_dB", -99.0}}, {{"R_dB", 0.1}});
+        document["tolerance"]["note"] = note;
+        return validated(document);
+    };
+    const char* note = "Mild steel rows are a guess, informative. Copper rows are exact.";
+    CHECK(metal("mild steel", note).verdict() == Verdict::pass);
+    CHECK(metal("mild steel", note).worst() == nullptr);
+    CHECK(metal("mild steel", note).n_shown_only() == 1);
+    CHECK(metal("copper", note).verdict() == Verdict::fail);
+    CHECK(metal("steel", "stainless-steel rows: informative").verdict() == Verdict::pass);
+    CHECK(metal("less", "stainless-steel rows: informative").verdict() == Verdict::fail);
+    CHECK(metal("", "some rows;  informative").verdict() == Verdict::fail);
 }
 
 TEST_CASE("the JSON holds every quantity with what was computed and expected", "[validate]") {
