@@ -37,8 +37,8 @@ Condition read_condition(Section section, const Radar& radar, double nominal_hei
     for (const double height_m : condition.heights_m) {
         const std::string blind = blind_reason(radar, height_m);
         if (!blind.empty())
-            section.fail("height_mm", format("{:.4g} m {}", height_m, blind),
-                         "choose other heights or another radar");
+            section.fail_quantity("height", Unit::length, format("{:.4g} m {}", height_m, blind),
+                                  "choose other heights or another radar");
     }
     if (section.has_quantity("tilt", Unit::angle))
         condition.tilts_rad =
@@ -48,9 +48,9 @@ Condition read_condition(Section section, const Radar& radar, double nominal_hei
         section.choice("tilt_plane", {"azimuth", "elevation"}, "azimuth") == "elevation";
     if (section.has_quantity("pivot", Unit::length)) {
         if (condition.tilts_sensor)
-            section.fail(section.has("pivot_m") ? "pivot_m" : "pivot_mm",
-                         "a tilted sensor turns about its own phase centre",
-                         "remove it, or write tilted = \"sample\"");
+            section.fail_quantity("pivot", Unit::length,
+                                  "a tilted sensor turns about its own phase centre",
+                                  "remove it, or write tilted = \"sample\"");
         const auto p = section.quantities("pivot", Unit::length, 3, Range::between(-10.0, 10.0));
         condition.pivot_m = {p[0], p[1], p[2]};
     }

@@ -91,6 +91,7 @@ TEST_CASE("what the radar cannot see or nobody can do is refused by line", "[sim
     CHECK(contains(refusal("sessions = 4\nheight_mm = [450, 50]\n"), "c.toml:5: height_mm"));
     CHECK(contains(refusal("sessions = 4\nheight_mm = [450, 50]\n"), "leakage"));
     CHECK(contains(refusal("sessions = 4\nheight_m = [5]\n"), "beyond the farthest range"));
+    CHECK(contains(refusal("sessions = 4\nheight_cm = [45, 5]\n"), "c.toml:5: height_cm"));
     CHECK(contains(refusal("sessions = 4\ntilt_deg = [86]\n"), "c.toml:5: tilt_deg"));
     CHECK(contains(refusal("sessions = 0\n"), "c.toml:4: sessions"));
     CHECK(contains(refusal("sessions = 600\nheight_mm = [400, 500]\n"), "1200 sessions"));
