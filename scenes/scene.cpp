@@ -76,6 +76,7 @@ Scene read_scene(const std::filesystem::path& file, const Catalogue& catalogue) 
                                format("choose a height of {:.0f} to {:.0f} mm, or another radar",
                                       std::ceil(3e3 * scene.radar.chirp.bin_m()),
                                       std::floor(1e3 * scene.radar.chirp.max_range_m())));
+    scene.solver = read_solver(section);
     section.finish();
     return scene;
 }

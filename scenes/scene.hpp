@@ -3,6 +3,7 @@
 #include "scenes/catalogue.hpp"
 #include "scenes/pose.hpp"
 #include "scenes/sample.hpp"
+#include "scenes/solver.hpp"
 
 namespace specula {
 
@@ -11,6 +12,7 @@ struct Scene {
     Radar radar;
     Sample sample;
     Pose pose;
+    Solver solver{};
 };
 
 /// Reads a scene file (keys: scenes/README.md) and refuses what cannot be.

@@ -121,7 +121,8 @@ SessionFrames simulate_session(const Bench& bench, const Condition& condition,
     SPECULA_EXPECT(id.world >= 0 && id.world < SessionId::most_worlds);
     const Sample sample = draw_sample(bench, condition, id);
     const Placed placed = draw_placement(bench, condition, id);
-    const Channel echo = echo_channel(bench.radar, sample, placed.pose, bench.materials);
+    const Channel echo =
+        echo_channel({bench.radar, sample, placed.pose, bench.solver}, bench.materials);
     const Channel still = still_channel(bench, condition, id, placed.board);
     const ReceiverInput input{dechirp(echo, bench.radar.chirp),
                               dechirp(still, bench.radar.chirp)};

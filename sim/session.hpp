@@ -1,5 +1,6 @@
 #pragma once
 
+#include "scenes/solver.hpp"
 #include "sim/adc/receiver_chain.hpp"
 #include "sim/condition.hpp"
 #include "sim/dataset/truth.hpp"
@@ -14,6 +15,7 @@ struct Bench {
     const Library& materials;
     double nominal_height_m;
     std::uint64_t seed;
+    Solver solver{};
 };
 
 /// Which session of which condition.

@@ -7,13 +7,22 @@
 
 namespace specula {
 
-Channel echo_channel(const Radar& radar, const Sample& sample, const Pose& pose,
-                     const Library& materials) {
-    const FrequencyComb comb = comb_of(radar.chirp);
-    const Target target({plate_body(sample.face, sample_placement(pose), true, 0.0)});
-    const Scatter scatter = trace(target, antennas_of(radar, radar_placement(pose)),
-                                  {.highest_hz = comb.last_hz()});
-    const Reflector reflectors[] = {reflector_of(sample, materials, pose.yaw_rad)};
+namespace {
+
+TraceSettings trace_settings(const Solver& solver, const FrequencyComb& comb) {
+    return {.highest_hz = comb.last_hz(),
+            .accuracy_db = solver.accuracy_db,
+            .max_bounces = solver.max_bounces};
+}
+
+}  // namespace
+
+Channel echo_channel(const Scene& scene, const Library& materials) {
+    const FrequencyComb comb = comb_of(scene.radar.chirp);
+    const Target target({plate_body(scene.sample.face, sample_placement(scene.pose), true, 0.0)});
+    const Scatter scatter = trace(target, antennas_of(scene.radar, radar_placement(scene.pose)),
+                                  trace_settings(scene.solver, comb));
+    const Reflector reflectors[] = {reflector_of(scene.sample, materials, scene.pose.yaw_rad)};
     return channel_of(scatter, reflectors, comb);
 }
 
@@ -32,7 +41,7 @@ Channel leakage_channel(const Radar& radar, const BoardDrift& drift) {
 }
 
 AdcFrame simulate(const Scene& scene, const Library& materials, Stream& noise) {
-    const Channel echo = echo_channel(scene.radar, scene.sample, scene.pose, materials);
+    const Channel echo = echo_channel(scene, materials);
     const Channel still = leakage_channel(scene.radar, {});
     const ReceiverInput input{dechirp(echo, scene.radar.chirp), dechirp(still, scene.radar.chirp)};
     return ReceiverChain(scene.radar).receive(input, {}, noise);

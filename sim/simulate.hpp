@@ -5,9 +5,8 @@
 
 namespace specula {
 
-/// The sample's echo at every frequency of the radar's chirp.
-Channel echo_channel(const Radar& radar, const Sample& sample, const Pose& pose,
-                     const Library& materials);
+/// The echo of everything in the scene at every frequency of the radar's chirp.
+Channel echo_channel(const Scene& scene, const Library& materials);
 
 /// How the board differs from its file during a session.
 struct BoardDrift {

@@ -89,7 +89,8 @@ void show_scene(const Scene& scene, const Library& materials) {
     std::printf("the radar %.4g mm above it\n", scene.pose.height_m * 1e3);
     show_tilt("sensor", scene.pose.sensor);
     show_tilt("sample", scene.pose.sample);
-    std::printf("\n");
+    std::printf("accuracy %.4g dB, up to %d bounces\n\n", scene.solver.accuracy_db,
+                scene.solver.max_bounces);
     show_radar(scene.radar, scene.pose.height_m);
 }
 

@@ -136,6 +136,7 @@ Experiment read_experiment(const std::filesystem::path& file, const Catalogue& c
     experiment.radar = catalogue.radar(root, "radar");
     experiment.nominal_height_m =
         root.quantity("nominal_height", Unit::length, Range::inside(0.0, 100.0));
+    experiment.solver = read_solver(root);
     experiment.full = read_extent(root);
     experiment.merged_classes = {};
     experiment.population = read_population(root, catalogue);

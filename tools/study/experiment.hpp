@@ -6,6 +6,7 @@
 
 #include "classifier/train.hpp"
 #include "firmware/fw_extract.h"
+#include "scenes/solver.hpp"
 #include "sim/condition.hpp"
 #include "sim/population.hpp"
 
@@ -28,6 +29,7 @@ struct Experiment {
 
     Radar radar;
     double nominal_height_m = 0.45;
+    Solver solver;
     Population population;
     Condition training;
     double validation_share = 0.2;  ///< of the training frames, drawn at random as the paper does

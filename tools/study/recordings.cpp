@@ -13,7 +13,8 @@ Recording record(const Experiment& experiment, const Library& materials, const R
                       .population = experiment.population,
                       .materials = materials,
                       .nominal_height_m = experiment.nominal_height_m,
-                      .seed = run.seed};
+                      .seed = run.seed,
+                      .solver = experiment.solver};
     Recording recording;
     recording.condition = condition;
     recording.file = run.folder / "datasets" / (condition.name + ".h5");

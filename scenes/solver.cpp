@@ -1,0 +1,16 @@
+#include "scenes/solver.hpp"
+
+namespace specula {
+
+Solver read_solver(Section& root) {
+    Solver solver;
+    auto section = root.find_section("solver");
+    if (!section) return solver;
+    solver.accuracy_db =
+        section->number("accuracy_db", Range::between(1e-6, 3.0), solver.accuracy_db);
+    solver.max_bounces = section->count("max_bounces", Range::between(1, 4), solver.max_bounces);
+    section->finish();
+    return solver;
+}
+
+}  // namespace specula
