@@ -22,4 +22,20 @@ Mesh triangulate(const Plate& plate, const Placement& placement) {
     return mesh;
 }
 
+Mesh box_mesh(const Vector3& size_m) {
+    Mesh mesh;
+    for (int corner = 0; corner < 8; ++corner)
+        mesh.vertices_m.push_back({size_m.x() * ((corner & 1 ? 1.0 : 0.0) - 0.5),
+                                   size_m.y() * ((corner & 2 ? 1.0 : 0.0) - 0.5),
+                                   corner & 4 ? 0.0 : -size_m.z()});
+    mesh.triangles = {{4, 5, 7}, {4, 7, 6}, {0, 3, 1}, {0, 2, 3}, {0, 1, 5}, {0, 5, 4},
+                      {2, 7, 3}, {2, 6, 7}, {1, 3, 7}, {1, 7, 5}, {0, 6, 2}, {0, 4, 6}};
+    return mesh;
+}
+
+Mesh placed(Mesh mesh, const Placement& placement) {
+    for (Vector3& vertex : mesh.vertices_m) vertex = placement.point(vertex);
+    return mesh;
+}
+
 }  // namespace specula

@@ -19,4 +19,10 @@ struct Mesh {
 /// that no triangle leaves the surface by more than 1/2048 of the bow.
 Mesh triangulate(const Plate& plate, const Placement& placement);
 
+/// A box below the plane z = 0: the centre of its upper face is the origin; 12 triangles that face
+/// outwards.
+Mesh box_mesh(const Vector3& size_m);
+
+Mesh placed(Mesh mesh, const Placement& placement);
+
 }  // namespace specula

@@ -14,6 +14,10 @@ std::string Sample::title() const {
     return title;
 }
 
+Mesh Sample::triangles(const Placement& placement) const {
+    return mesh ? placed(*mesh, placement) : triangulate(face, placement);
+}
+
 std::vector<BandWarning> band_warnings(const Sample& sample, const Library& library,
                                        const FrequencyBand& used) {
     std::vector<std::string> names;

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "materials/stack.hpp"
 #include "materials/validity.hpp"
+#include "scenes/mesh.hpp"
 #include "scenes/plate.hpp"
 
 namespace specula {
@@ -17,7 +20,7 @@ struct SampleLayer {
     bool turned = false;         ///< its grain runs across that of the sample, as in plywood
 };
 
-/// The piece of material under the radar.
+/// A piece of material: the one under the radar, or another object.
 struct Sample {
     std::string material;  ///< of a layered one, that of its uppermost layer
     Plate face;
@@ -30,10 +33,17 @@ struct Sample {
         layers{};            ///< the one facing the radar first; empty: all is `material`
     double grain_rad = 0.0;  ///< from the sample's y axis to the grain, about its normal
 
+    /// In the sample's own frame; where there is one, it takes the place of `face`, of which only
+    /// the size is then meant.
+    std::shared_ptr<const Mesh> mesh{};
+    std::optional<bool> opaque{};  ///< as the file says; else by what it is made of
+
     /// Its layers, be there one or several.
     std::vector<SampleLayer> all_layers() const;
     /// "limestone", or "rust on iron".
     std::string title() const;
+    /// Its faces as triangles in the scene.
+    Mesh triangles(const Placement& placement) const;
 };
 
 /// The warnings of all materials in a sample, its backing included.

@@ -1,5 +1,6 @@
 #include "scenes/sample_layers.hpp"
 
+#include "scenes/mesh_checks.hpp"
 #include "sim/core/constants.hpp"
 #include "sim/core/format.hpp"
 
@@ -11,11 +12,20 @@ constexpr std::size_t most_layers = 16;
 const Range possible_thickness = Range::inside(0.0, 1.0);
 const Range possible_roughness = Range::between(0.0, 0.002);
 
+/// A height spread wider than the layer would break through it.
+void check_roughness(const Section& section, double roughness_m, double thickness_m) {
+    if (roughness_m < thickness_m) return;
+    section.fail_quantity("roughness", Unit::length,
+                          format("is no less than the thickness, {:.4g} mm", thickness_m * 1e3),
+                          "the rms height of a face stays below the layer's thickness");
+}
+
 SampleLayer read_layer(Section section, const Catalogue& catalogue) {
     SampleLayer layer;
     layer.material = catalogue.material_name(section, "material");
     layer.thickness_m = section.quantity("thickness", Unit::length, possible_thickness);
     layer.roughness_m = section.quantity("roughness", Unit::length, possible_roughness, 0.0);
+    check_roughness(section, layer.roughness_m, layer.thickness_m);
     layer.turned = section.choice("grain", {"along", "across"}, "along") == "across";
     section.finish();
     return layer;
@@ -42,15 +52,28 @@ void read_layers(Section& section, const Catalogue& catalogue, Sample& sample) {
 }  // namespace
 
 void read_matter(Section& section, const Catalogue& catalogue, Sample& sample) {
+    bool is_solid = false;
     if (section.has("layer")) {
         read_layers(section, catalogue, sample);
     } else {
         sample.material = catalogue.material_name(section, "material");
-        sample.thickness_m = section.quantity("thickness", Unit::length, possible_thickness);
+        is_solid = sample.mesh && !section.has_quantity("thickness", Unit::length);
+        // Of a solid nothing comes back from behind its face: the same matter goes on below it.
+        sample.thickness_m =
+            is_solid ? box_around(*sample.mesh).size().norm()
+                     : section.quantity("thickness", Unit::length, possible_thickness);
         sample.roughness_m = section.quantity("roughness", Unit::length, possible_roughness, 0.0);
+        check_roughness(section, sample.roughness_m, sample.thickness_m);
     }
     sample.grain_rad = section.quantity("grain", Unit::angle, Range::between(-pi, pi), 0.0);
-    sample.backing = catalogue.backing_name(section, "backing");
+    if (is_solid && section.has("backing"))
+        section.fail("backing", "lies behind a body that is solid",
+                     "give it a thickness, or remove the backing");
+    sample.backing = is_solid ? sample.material : catalogue.backing_name(section, "backing");
+    if (section.has("opaque")) sample.opaque = section.flag("opaque", true);
+    if (sample.opaque == false && sample.backing != "air")
+        section.fail("opaque", "what lies behind it in contact ends the wave's way",
+                     is_solid ? "give it the thickness of its wall" : "remove the backing");
 }
 
 }  // namespace specula

@@ -1,8 +1,11 @@
 #include "scenes/scene.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "scenes/sample_layers.hpp"
+#include "scenes/scene_checks.hpp"
+#include "scenes/shape.hpp"
 #include "sim/core/constants.hpp"
 #include "sim/core/format.hpp"
 
@@ -12,16 +15,24 @@ namespace {
 
 constexpr double steepest_rad = 85.0 * pi / 180.0;
 
-Sample read_sample(Section section, const Catalogue& catalogue) {
-    Sample sample;
-    section.choice("shape", {"plate"}, "plate");
-    const auto size = section.quantities("size", Unit::length, 2, Range::inside(0.0, 10.0));
-    sample.face = {.size_x_m = size[0],
-                   .size_y_m = size[1],
-                   .bow_m = section.quantity("bow", Unit::length, Range::between(-0.05, 0.05), 0.)};
+void read_sample(Section section, const Catalogue& catalogue, Scene& scene) {
+    Sample& sample = scene.sample;
+    scene.sample_is_watertight = read_shape(section, sample, scene.warnings);
+    if (sample.mesh && section.has_quantity("rotation", Unit::angle))
+        sample.mesh = std::make_shared<const Mesh>(
+            placed(*sample.mesh, {read_rotation(section), Vector3::Zero()}));
     read_matter(section, catalogue, sample);
     section.finish();
-    return sample;
+}
+
+void read_objects(Section& section, const Catalogue& catalogue, Scene& scene) {
+    for (Section& object : section.sections("object")) {
+        if (scene.objects.size() == Scene::most_objects)
+            section.fail("object", "too many objects",
+                         format("describe at most {}", Scene::most_objects));
+        const int number = static_cast<int>(scene.objects.size()) + 1;
+        scene.objects.push_back(read_object(object, catalogue, number, scene.warnings));
+    }
 }
 
 }  // namespace
@@ -67,7 +78,7 @@ Scene read_scene(const std::filesystem::path& file, const Catalogue& catalogue) 
     Section section = Section::read(file);
     Scene scene;
     scene.radar = catalogue.radar(section, "radar");
-    scene.sample = read_sample(section.section("sample"), catalogue);
+    read_sample(section.section("sample"), catalogue, scene);
     Section geometry = section.section("geometry");
     scene.pose = read_pose(geometry);
     const std::string blind = blind_reason(scene.radar, scene.pose.height_m);
@@ -76,13 +87,23 @@ Scene read_scene(const std::filesystem::path& file, const Catalogue& catalogue) 
                                format("choose a height of {:.0f} to {:.0f} mm, or another radar",
                                       std::ceil(3e3 * scene.radar.chirp.bin_m()),
                                       std::floor(1e3 * scene.radar.chirp.max_range_m())));
+    read_objects(section, catalogue, scene);
     scene.solver = read_solver(section);
+    check_places(geometry, section, scene);
     section.finish();
     return scene;
 }
 
 std::vector<BandWarning> band_warnings(const Scene& scene, const Library& library) {
-    return band_warnings(scene.sample, library, scene.radar.chirp.band());
+    const FrequencyBand band = scene.radar.chirp.band();
+    std::vector<BandWarning> warnings = band_warnings(scene.sample, library, band);
+    for (const SceneObject& object : scene.objects)
+        for (const BandWarning& warning : band_warnings(object.matter, library, band))
+            if (std::none_of(warnings.begin(), warnings.end(), [&](const BandWarning& known) {
+                    return known.text() == warning.text();
+                }))
+                warnings.push_back(warning);
+    return warnings;
 }
 
 }  // namespace specula

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "sim/channel/path.hpp"
+#include "sim/scene_target.hpp"
 #include "sim/trace/trace.hpp"
 
 namespace specula {
@@ -19,10 +20,9 @@ TraceSettings trace_settings(const Solver& solver, const FrequencyComb& comb) {
 
 Channel echo_channel(const Scene& scene, const Library& materials) {
     const FrequencyComb comb = comb_of(scene.radar.chirp);
-    const Target target({plate_body(scene.sample.face, sample_placement(scene.pose), true, 0.0)});
-    const Scatter scatter = trace(target, antennas_of(scene.radar, radar_placement(scene.pose)),
+    const std::vector<Reflector> reflectors = reflectors_of(scene, materials);
+    const Scatter scatter = trace(target_of(scene, reflectors), antennas_of(scene.radar, radar_placement(scene.pose)),
                                   trace_settings(scene.solver, comb));
-    const Reflector reflectors[] = {reflector_of(scene.sample, materials, scene.pose.yaw_rad)};
     return channel_of(scatter, reflectors, comb);
 }
 

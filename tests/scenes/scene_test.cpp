@@ -82,6 +82,7 @@ TEST_CASE("every example reads", "[scene]") {
     int n_read = 0;
     for (const auto& entry :
          std::filesystem::directory_iterator(SPECULA_SOURCE_DIR "/scenes/examples")) {
+        if (entry.path().extension() != ".toml") continue;
         INFO(entry.path());
         CHECK_NOTHROW(read_scene(entry.path(), catalogue()));
         ++n_read;
@@ -122,8 +123,8 @@ TEST_CASE("a sample that cannot be is refused at its key", "[scene]") {
               .rfind("x.toml:3: sample.material = \"plexiglas\": is not known; "
                      "did you mean \"plexiglass\"?",
                      0) == 0);
-    CHECK(error_of(edited(least, "thickness_mm", "shape = 'disc'\nthickness_mm")) ==
-          "x.toml:5: sample.shape = \"disc\": is not known; use \"plate\"");
+    CHECK(error_of(edited(least, "thickness_mm", "shape = 'dics'\nthickness_mm"))
+              .rfind("x.toml:5: sample.shape = \"dics\": is not known; use \"plate\", ", 0) == 0);
     CHECK(error_of(edited(least, "thickness_mm", "roughness_um = 2001\nthickness_mm"))
               .find("at most 2000 um") != std::string::npos);
     CHECK(error_of(edited(least, "[sample]", "color = 'red'\n[sample]")) ==

@@ -9,6 +9,7 @@
 #include "sim/dataset/dataset.hpp"
 #include "sim/dataset/fingerprint.hpp"
 #include "sim/link_budget.hpp"
+#include "sim/scene_target.hpp"
 #include "tools/specula/commands.hpp"
 #include "tools/specula/show_material.hpp"
 #include "tools/study/experiment.hpp"
@@ -74,16 +75,44 @@ void show_tilt(const char* what, const Pose::Tilt& tilt) {
                 tilt.about_y_rad * 180.0 / pi, tilt.about_x_rad * 180.0 / pi);
 }
 
-void show_scene(const Scene& scene, const Library& materials) {
-    const Sample& sample = scene.sample;
-    std::printf("%s, %.4g x %.4g mm, %.4g mm thick, backed by %s\n", sample.title().c_str(),
-                sample.face.size_x_m * 1e3, sample.face.size_y_m * 1e3, sample.thickness_m * 1e3,
-                sample.backing.c_str());
+/// What a piece is made of and how large it is.
+void show_matter(const Sample& sample, const char* how_opaque) {
+    if (sample.mesh)
+        std::printf("%s, %zu triangles, %.4g x %.4g mm seen along z, ", sample.title().c_str(),
+                    sample.mesh->triangles.size(), sample.face.size_x_m * 1e3,
+                    sample.face.size_y_m * 1e3);
+    else
+        std::printf("%s, %.4g x %.4g mm, ", sample.title().c_str(), sample.face.size_x_m * 1e3,
+                    sample.face.size_y_m * 1e3);
+    if (sample.mesh && sample.backing == sample.material)
+        std::printf("solid%s\n", how_opaque);
+    else
+        std::printf("%.4g mm thick, backed by %s%s\n", sample.thickness_m * 1e3,
+                    sample.backing.c_str(), how_opaque);
     std::printf("bow %.4g mm, roughness %.4g um rms\n", sample.face.bow_m * 1e3,
                 sample.roughness_m * 1e6);
     for (const SampleLayer& layer : sample.layers)
         std::printf("  %-18s %8.4g mm, roughness %.4g um rms\n", layer.material.c_str(),
                     layer.thickness_m * 1e3, layer.roughness_m * 1e6);
+}
+
+void show_objects(const Scene& scene, const Library& materials) {
+    const auto reflectors = reflectors_of(scene, materials);
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        const SceneObject& object = scene.objects[i];
+        const Vector3 at_mm = 1e3 * object.own_placement.shift_m;
+        const bool opaque =
+            is_opaque(object.matter, reflectors[i + 1], scene.radar.chirp.centre_hz());
+        std::printf("%s at (%.4g, %.4g, %.4g) mm, fixed to the %s: ", object.name.c_str(),
+                    at_mm.x(), at_mm.y(), at_mm.z(), object.fixed_to_sample ? "sample" : "room");
+        show_matter(object.matter, opaque ? ", opaque" : ", lets waves through");
+    }
+}
+
+void show_scene(const Scene& scene, const Library& materials) {
+    show_matter(scene.sample, "");
+    show_objects(scene, materials);
+    for (const std::string& warning : scene.warnings) std::printf("warning: %s\n", warning.c_str());
     for (const BandWarning& warning : band_warnings(scene, materials))
         std::printf("extrapolated: %s\n", warning.text().c_str());
     std::printf("the radar %.4g mm above it\n", scene.pose.height_m * 1e3);

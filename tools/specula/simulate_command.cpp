@@ -87,6 +87,7 @@ void simulate_command(const SimulateArguments& arguments, const Catalogue& catal
     std::error_code ignored;
     if (fs::equivalent(out, arguments.scene, ignored))
         throw InputError(out.string() + ": is the scene itself; give --out another name");
+    for (const std::string& warning : scene.warnings) say_warning(warning);
     for (const BandWarning& warning : band_warnings(scene, catalogue.materials))
         say_warning(warning.text());
     Stream noise({.seed = arguments.seed, .purpose = "thermal noise"});
