@@ -24,14 +24,13 @@ Reflection without_grain(const Stack& stack, double cos_incidence) {
     const std::size_t n = stack.layers.size();
     const Electrics& last = n > 0 ? stack.layers[n - 1].medium : air;
 
-    Reflection below = pec_reflection;
-    if (const auto* half_space = std::get_if<HalfSpace>(&stack.backing)) {
-        below = fresnel(last, half_space->medium, sin_squared);
-        const auto loss =
-            face_loss({last, half_space->medium, half_space->roughness_m}, k, sin_squared);
-        below.te *= loss.reflect_above;
-        below.tm *= loss.reflect_above;
-    }
+    const auto* half_space = std::get_if<HalfSpace>(&stack.backing);
+    Reflection below = half_space ? fresnel(last, half_space->medium, sin_squared) : pec_reflection;
+    const double roughness_m =
+        std::visit([](const auto& backing) { return backing.roughness_m; }, stack.backing);
+    const auto of_backing = face_loss({last, last, roughness_m}, k, sin_squared);
+    below.te *= of_backing.reflect_above;
+    below.tm *= of_backing.reflect_above;
     for (std::size_t i = n; i-- > 0;) {
         const Layer& layer = stack.layers[i];
         const Electrics& above = i > 0 ? stack.layers[i - 1].medium : air;

@@ -15,13 +15,18 @@ struct Layer {
     double thickness_m = 0.0;                     ///< > 0
     double roughness_m = 0.0;                     ///< rms height of the upper face, >= 0
     std::optional<Grained> grain = std::nullopt;  ///< used in place of `medium` where it has one
+    double correlation_m = 1e-3;                  ///< > 0, of the upper face's heights
 };
 
 /// What ends a stack below: nothing but air, a half-space, or a perfect conductor.
-struct PerfectConductor {};
+struct PerfectConductor {
+    double roughness_m = 0.0;
+    double correlation_m = 1e-3;
+};
 struct HalfSpace {
     Electrics medium;
     double roughness_m = 0.0;
+    double correlation_m = 1e-3;
 };
 using Backing = std::variant<HalfSpace, PerfectConductor>;
 
@@ -44,7 +49,7 @@ struct Stack {
 /// @out  |te|, |tm| <= 1
 /// @eq   PHYSICS.md#stack; Parratt 1954 recursion; PHYSICS.md#coherent-roughness; Ament 1953;
 ///       PHYSICS.md#grain
-/// Limit: faces parallel and wide; the diffuse part of rough faces is not in here. A grain is exact
+/// Limit: faces parallel and wide; the diffuse part of rough faces is in materials/diffuse.hpp. A grain is exact
 /// at normal incidence; what it turns into the other polarisation is not in here.
 Reflection stack_reflection(const Stack& stack, double cos_incidence);
 
