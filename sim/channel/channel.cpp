@@ -19,7 +19,11 @@ double wavenumber_rad_m(double frequency_hz) {
 }
 
 Event currents_of(const Route& route) {
-    return {.kind = Event::Kind::reflect, .body = route.body, .from_behind = route.from_behind};
+    const bool mirror = route.rough_face == Route::mirror;
+    return {.kind = mirror ? Event::Kind::reflect : Event::Kind::scatter,
+            .body = route.body,
+            .from_behind = route.from_behind,
+            .face = mirror ? 0 : route.rough_face};
 }
 
 std::vector<Event> events_of(const Route& route) {
@@ -165,7 +169,7 @@ void add_eventful(const RouteScatter& scatter, std::span<const Reflector> reflec
                     at[e] = value_of(series[e], grids[e], pair.event_cosine[e][point]);
                 const TeTm currents =
                     value_of(series.back(), grids.back(), pair.cos_incidence[point]);
-                sum += std::polar(1.0, -k * pair.path_m[point]) *
+                sum += std::polar(1.0, pair.phase_at(point) - k * pair.path_m[point]) *
                        point_sum(pair, point, at, scatter.route.before.size(), currents);
             }
             channel.of_rx(rx)[i] += surface_factor * sum;
@@ -221,7 +225,7 @@ Complex direct_sum(const Scatter& scatter, int rx, std::span<const Reflector> re
         for (std::size_t point = 0; point < pair.path_m.size(); ++point) {
             for (std::size_t e = 0; e < events.size(); ++e)
                 at[e] = coefficients_of(events[e], stacks[e], pair.event_cosine[e][point]);
-            sum += std::polar(1.0, -k * pair.path_m[point]) *
+            sum += std::polar(1.0, pair.phase_at(point) - k * pair.path_m[point]) *
                    point_sum(pair, point, at, route.route.before.size(),
                              coefficients_of(currents, currents_stack, pair.cos_incidence[point]));
         }

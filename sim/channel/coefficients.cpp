@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "materials/diffuse.hpp"
 #include "sim/core/constants.hpp"
 
 namespace specula {
@@ -23,9 +24,12 @@ Stack turned_over(const Stack& stack) {
     Stack turned = stack;
     std::reverse(turned.layers.begin(), turned.layers.end());
     const auto* below = std::get_if<HalfSpace>(&stack.backing);
-    double upper_m = below ? below->roughness_m : 0.0;
-    for (Layer& layer : turned.layers) std::swap(upper_m, layer.roughness_m);
-    turned.backing = HalfSpace{{}, upper_m};
+    HalfSpace above = below ? HalfSpace{{}, below->roughness_m, below->correlation_m} : HalfSpace{};
+    for (Layer& layer : turned.layers) {
+        std::swap(above.roughness_m, layer.roughness_m);
+        std::swap(above.correlation_m, layer.correlation_m);
+    }
+    turned.backing = above;
     return turned;
 }
 
@@ -51,9 +55,17 @@ TeTm transmission_of(const Stack& stack, double cos_incidence) {
 }
 
 TeTm coefficients_of(const Event& event, const Stack& stack, double cos_incidence) {
-    return event.kind == Event::Kind::reflect
-               ? reflection_of(stack, cos_incidence, event.from_behind)
-               : transmission_of(stack, cos_incidence);
+    switch (event.kind) {
+        case Event::Kind::reflect:
+            return reflection_of(stack, cos_incidence, event.from_behind);
+        case Event::Kind::transmit:
+            return transmission_of(stack, cos_incidence);
+        case Event::Kind::scatter:
+            break;
+    }
+    const Reflection diffuse =
+        diffuse_reflection(stack, face_of(stack, event.face), cos_incidence);
+    return {diffuse.te, diffuse.tm};
 }
 
 AngularSeries angular_series(const Event& event, const Stack& stack, const ChebyshevGrid& cosines) {

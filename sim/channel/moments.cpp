@@ -19,8 +19,9 @@ Moments moments_of(const PairScatter& pair, const MomentGrid& grid) {
     for (std::size_t i = 0; i < pair.path_m.size(); ++i) {
         const double path_m = pair.path_m[i] - grid.reference_path_m;
         for (std::size_t q = 0; q < n_f; ++q) {
-            re[q] = std::cos(wavenumber[q] * path_m);
-            im[q] = -std::sin(wavenumber[q] * path_m);
+            const double phase_rad = pair.phase_at(i) - wavenumber[q] * path_m;
+            re[q] = std::cos(phase_rad);
+            im[q] = std::sin(phase_rad);
         }
         chebyshev_polynomials(grid.cos_incidence.unit(pair.cos_incidence[i]), polynomial);
         const auto accumulate = [&](double weight, double* sums) {

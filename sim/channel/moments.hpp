@@ -16,7 +16,7 @@ struct MomentGrid {
 };
 
 /// Sums over the points of a pair on a route without events, with no material in them:
-/// S_p(f) = Sum_i weight_i T_p(cos_i) exp(-jk(f) (path_i - reference)).
+/// S_p(f) = Sum_i weight_i T_p(cos_i) exp(j phase_i - jk(f) (path_i - reference)).
 /// The incident part has one polynomial only. Layout (polynomial, frequency node).
 struct Moments {
     std::vector<std::complex<double>> incident;  ///< (frequency)

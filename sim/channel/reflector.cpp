@@ -30,7 +30,8 @@ Layer layer_at(double frequency_hz, const FilledLayer& filled, const Sample& sam
     const Electrics medium = material.at(frequency_hz);
     Layer found{.medium = material.is_metal() ? medium : varied(medium, sample),
                 .thickness_m = layer.thickness_m,
-                .roughness_m = layer.roughness_m};
+                .roughness_m = layer.roughness_m,
+                .correlation_m = layer.correlation_m};
     if (material.has_grain()) {
         const Grained grained = material.grained(frequency_hz);
         found.grain = {varied(grained.along, sample), varied(grained.across, sample)};

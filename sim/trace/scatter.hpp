@@ -6,10 +6,11 @@ namespace specula {
 
 /// Something that happens to a wave on its way and multiplies it by a coefficient of a body.
 struct Event {
-    enum class Kind { reflect, transmit };
+    enum class Kind { reflect, transmit, scatter };  ///< scatter: by the heights of a rough face
     Kind kind = Kind::reflect;
     int body = 0;
     bool from_behind = false;  ///< the wave comes from the back of a sheet
+    int face = 0;              ///< of the body's stack, from the top, where it scatters
 
     bool operator==(const Event&) const = default;
 };
@@ -20,6 +21,9 @@ struct Route {
     int body = 0;               ///< whose surface currents radiate
     bool from_behind = false;
     std::vector<Event> after;  ///< between the point and the RX: transmissions
+    int rough_face = mirror;   ///< face of the body's stack whose heights scatter, or `mirror`
+
+    static constexpr int mirror = -1;  ///< the currents are those of the coherent reflection
 
     bool operator==(const Route&) const = default;
     std::size_t n_events() const { return before.size() + after.size(); }
@@ -40,6 +44,11 @@ struct PairScatter {
     std::vector<double> cos_incidence;              ///< (point) where the currents are
     std::vector<std::vector<double>> event_cosine;  ///< (event, point): before, then after
     std::vector<std::vector<double>> weight;        ///< (weight, point), dimensionless
+    std::vector<double> phase_rad{};  ///< (point) added to -k path; empty where there is none
+
+    double phase_at(std::size_t point) const {
+        return phase_rad.empty() ? 0.0 : phase_rad[point];
+    }
 };
 
 struct RouteScatter {

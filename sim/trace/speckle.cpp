@@ -1,0 +1,134 @@
+#include "sim/trace/speckle.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/core/constants.hpp"
+#include "sim/trace/physical_optics.hpp"
+
+namespace specula {
+
+namespace {
+
+/// Larger bodies get larger cells, not more.
+constexpr double most_cells = 250'000.0;
+/// cos^2 of the angle beyond which the Kirchhoff slope factor is no longer followed.
+const double grazing_cos_squared = std::pow(std::cos(70.0 * pi / 180.0), 2);
+
+struct Cell {
+    Vector3 point_m;
+    Vector3 normal;  ///< unit
+    double area_m2;
+};
+
+int n_along(const Vector3& half, double side_m) {
+    return std::max(1, static_cast<int>(2.0 * half.norm() / side_m));
+}
+
+double area_m2(const Surface& surface) {
+    return 4.0 * surface_point(surface, 0.0, 0.0).area_normal().norm();
+}
+
+std::vector<Cell> cells_of(const Body& body, double correlation_m) {
+    double total_m2 = 0.0;
+    for (const Surface& surface : body.surfaces) total_m2 += area_m2(surface);
+    const double side_m =
+        std::max({smallest_cell_m, correlation_m, std::sqrt(total_m2 / most_cells)});
+    std::vector<Cell> cells;
+    for (const Surface& surface : body.surfaces) {
+        const SurfacePoint middle = surface_point(surface, 0.0, 0.0);
+        const int n_u = n_along(middle.along_u, side_m), n_v = n_along(middle.along_v, side_m);
+        for (int j = 0; j < n_v; ++j) {
+            for (int i = 0; i < n_u; ++i) {
+                const SurfacePoint at = surface_point(surface, (2.0 * i + 1.0) / n_u - 1.0,
+                                                      (2.0 * j + 1.0) / n_v - 1.0);
+                const Vector3 normal = at.area_normal();
+                const double stretch = normal.norm();
+                cells.push_back({at.point_m, normal / stretch, stretch * 4.0 / (n_u * n_v)});
+            }
+        }
+    }
+    return cells;
+}
+
+/// A cell between TX and RX.
+struct CellView {
+    const Cell& cell;
+    const PlacedAntenna& tx;
+    const PlacedAntenna& rx;
+};
+
+/// Adds the cell to the pair; with zero weight where one of the antennas is behind it.
+void add_cell(const CellView& view, bool clear, PairScatter& pair) {
+    const Vector3 from_tx = view.cell.point_m - view.tx.position_m;
+    const Vector3 to_rx = view.rx.position_m - view.cell.point_m;
+    const double r1 = from_tx.norm(), r2 = to_rx.norm();
+    const Vector3 in = from_tx / r1, out = to_rx / r2;
+    const Vector3 normal = in.dot(view.cell.normal) > 0.0 ? Vector3(-view.cell.normal)
+                                                          : Vector3(view.cell.normal);
+    const Vector3 between = (out - in).normalized();
+    const double cosine = between.dot(normal);
+    pair.path_m.push_back(r1 + r2);
+    if (!clear || !(in.dot(normal) < 0.0) || !(out.dot(normal) > 0.0)) {
+        pair.cos_incidence.push_back(1.0);
+        for (std::vector<double>& weight : pair.weight) weight.push_back(0.0);
+        return;
+    }
+    const BounceWeights w = bounce_weights({.to_point = in,
+                                            .to_rx = out,
+                                            .normal = normal,
+                                            .tx_field = view.tx.field_towards(in),
+                                            .rx_field = view.rx.field_towards(-out)});
+    // Slopes of the heights turn facets towards the antennas: 1 / cos^2 in Kirchhoff's integral.
+    const double spread = std::sqrt(view.cell.area_m2) /
+                          (r1 * r2 * std::max(cosine * cosine, grazing_cos_squared));
+    pair.cos_incidence.push_back(std::min(1.0, cosine));
+    pair.weight[0].push_back(0.0);  // the unreflected part scatters forwards only
+    pair.weight[1].push_back(w.te * spread);
+    pair.weight[2].push_back(w.tm * spread);
+}
+
+}  // namespace
+
+RouteScatter diffuse_cells(const Target& target, const AntennaSet& antennas,
+                           const RoughLayer& layer) {
+    const std::vector<Cell> cells =
+        cells_of(target.bodies()[static_cast<std::size_t>(layer.body)], layer.correlation_m);
+    std::vector<Vector3> places;
+    for (const Cell& cell : cells) places.push_back(cell.point_m);
+    std::vector<char> lit(cells.size(), 1);
+    target.geometry().shadow(antennas.tx.position_m, places, lit);
+
+    RouteScatter route{.route = {.before = {},
+                                 .body = layer.body,
+                                 .from_behind = false,
+                                 .after = {},
+                                 .rough_face = layer.face},
+                       .rx = {}};
+    for (const PlacedAntenna& rx : antennas.rx) {
+        std::vector<char> clear = lit;
+        target.geometry().shadow(rx.position_m, places, clear);
+        PairScatter pair;
+        pair.weight.resize(route.route.n_weights());
+        for (std::size_t i = 0; i < cells.size(); ++i)
+            add_cell({cells[i], antennas.tx, rx}, clear[i] != 0, pair);
+        route.rx.push_back(std::move(pair));
+    }
+    return route;
+}
+
+void draw_speckle(RouteScatter& cells, Stream& piece) {
+    const std::size_t n = cells.rx.empty() ? 0 : cells.rx.front().path_m.size();
+    std::vector<double> amplitude(n), phase_rad(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        amplitude[i] = std::sqrt(-std::log(piece.uniform()));  // Rayleigh, mean square 1
+        phase_rad[i] = two_pi * piece.uniform();
+    }
+    for (PairScatter& pair : cells.rx) {
+        for (std::vector<double>& weight : pair.weight)
+            for (std::size_t i = 0; i < n; ++i) weight[i] *= amplitude[i];
+        pair.phase_rad = phase_rad;
+    }
+}
+
+}  // namespace specula
