@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,6 +19,10 @@ struct SampleLayer {
     double thickness_m = 0.005;  ///< > 0
     double roughness_m = 0.0;    ///< rms height of its upper face, >= 0
     bool turned = false;         ///< its grain runs across that of the sample, as in plywood
+    double correlation_m = usual_correlation_m;  ///< of its upper face's heights, > 0
+
+    /// Machined and honed faces lie between 0.2 and 5 mm.
+    static constexpr double usual_correlation_m = 1e-3;
 };
 
 /// A piece of material: the one under the radar, or another object.
@@ -32,6 +37,8 @@ struct Sample {
     std::vector<SampleLayer>
         layers{};            ///< the one facing the radar first; empty: all is `material`
     double grain_rad = 0.0;  ///< from the sample's y axis to the grain, about its normal
+    double correlation_m = SampleLayer::usual_correlation_m;  ///< of the face's heights, > 0
+    std::uint64_t piece = 1;  ///< which physical piece: seed of its heights, not of its place
 
     /// In the sample's own frame; where there is one, it takes the place of `face`, of which only
     /// the size is then meant.
@@ -45,6 +52,9 @@ struct Sample {
     /// Its faces as triangles in the scene.
     Mesh triangles(const Placement& placement) const;
 };
+
+/// What the roughness of a sample's faces breaks of the theory that its diffuse echo rests on.
+std::vector<std::string> roughness_warnings(const Sample& sample, const FrequencyBand& used);
 
 /// The warnings of all materials in a sample, its backing included.
 std::vector<BandWarning> band_warnings(const Sample& sample, const Library& library,

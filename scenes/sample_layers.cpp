@@ -11,6 +11,12 @@ namespace {
 constexpr std::size_t most_layers = 16;
 const Range possible_thickness = Range::inside(0.0, 1.0);
 const Range possible_roughness = Range::between(0.0, 0.002);
+const Range possible_correlation{.min = 1e-5, .max = 0.1};
+
+double read_correlation(Section& section) {
+    return section.quantity("correlation_length", Unit::length, possible_correlation,
+                            SampleLayer::usual_correlation_m);
+}
 
 /// A height spread wider than the layer would break through it.
 void check_roughness(const Section& section, double roughness_m, double thickness_m) {
@@ -26,6 +32,7 @@ SampleLayer read_layer(Section section, const Catalogue& catalogue) {
     layer.thickness_m = section.quantity("thickness", Unit::length, possible_thickness);
     layer.roughness_m = section.quantity("roughness", Unit::length, possible_roughness, 0.0);
     check_roughness(section, layer.roughness_m, layer.thickness_m);
+    layer.correlation_m = read_correlation(section);
     layer.turned = section.choice("grain", {"along", "across"}, "along") == "across";
     section.finish();
     return layer;
@@ -38,6 +45,8 @@ void read_layers(Section& section, const Catalogue& catalogue, Sample& sample) {
         section.fail_quantity("thickness", Unit::length, "stands beside layers", remedy);
     if (section.has_quantity("roughness", Unit::length))
         section.fail_quantity("roughness", Unit::length, "stands beside layers", remedy);
+    if (section.has_quantity("correlation_length", Unit::length))
+        section.fail_quantity("correlation_length", Unit::length, "stands beside layers", remedy);
     for (Section& layer : section.sections("layer"))
         sample.layers.push_back(read_layer(layer, catalogue));
     if (sample.layers.empty() || sample.layers.size() > most_layers)
@@ -45,6 +54,7 @@ void read_layers(Section& section, const Catalogue& catalogue, Sample& sample) {
                      format("describe 1 to {} of them", most_layers));
     sample.material = sample.layers.front().material;
     sample.roughness_m = sample.layers.front().roughness_m;
+    sample.correlation_m = sample.layers.front().correlation_m;
     sample.thickness_m = 0.0;
     for (const SampleLayer& layer : sample.layers) sample.thickness_m += layer.thickness_m;
 }
@@ -64,8 +74,11 @@ void read_matter(Section& section, const Catalogue& catalogue, Sample& sample) {
                      : section.quantity("thickness", Unit::length, possible_thickness);
         sample.roughness_m = section.quantity("roughness", Unit::length, possible_roughness, 0.0);
         check_roughness(section, sample.roughness_m, sample.thickness_m);
+        sample.correlation_m = read_correlation(section);
     }
     sample.grain_rad = section.quantity("grain", Unit::angle, Range::between(-pi, pi), 0.0);
+    sample.piece =
+        static_cast<std::uint64_t>(section.count("piece", Range::between(0.0, 2e9), 1));
     if (is_solid && section.has("backing"))
         section.fail("backing", "lies behind a body that is solid",
                      "give it a thickness, or remove the backing");

@@ -64,6 +64,21 @@ Pose read_pose(Section section) {
     return pose;
 }
 
+namespace {
+
+void warn_of_roughness(Scene& scene) {
+    if (scene.solver.roughness == Solver::Roughness::coherent) return;
+    const FrequencyBand band = scene.radar.chirp.band();
+    const auto add = [&](const Sample& matter) {
+        for (const std::string& warning : roughness_warnings(matter, band))
+            scene.warnings.push_back(warning);
+    };
+    add(scene.sample);
+    for (const SceneObject& object : scene.objects) add(object.matter);
+}
+
+}  // namespace
+
 std::string blind_reason(const Radar& radar, double height_m) {
     if (height_m > radar.chirp.max_range_m())
         return format("is beyond the farthest range of the chirp of {}, {:.3g} m", radar.name,
@@ -89,6 +104,7 @@ Scene read_scene(const std::filesystem::path& file, const Catalogue& catalogue) 
                                       std::floor(1e3 * scene.radar.chirp.max_range_m())));
     read_objects(section, catalogue, scene);
     scene.solver = read_solver(section);
+    warn_of_roughness(scene);
     check_places(geometry, section, scene);
     section.finish();
     return scene;

@@ -9,6 +9,8 @@ Solver read_solver(Section& root) {
     solver.accuracy_db =
         section->number("accuracy_db", Range::between(1e-6, 3.0), solver.accuracy_db);
     solver.max_bounces = section->count("max_bounces", Range::between(1, 4), solver.max_bounces);
+    if (section->choice("roughness", {"statistical", "coherent"}, "statistical") == "coherent")
+        solver.roughness = Solver::Roughness::coherent;
     section->finish();
     return solver;
 }

@@ -18,6 +18,8 @@ SampleLaw read_class(Section section, const Sample& common, const Catalogue& cat
     law.bow_m = section.distribution("bow", Unit::length, Range::between(-0.05, 0.05), 0.0);
     law.roughness_m =
         section.distribution("roughness", Unit::length, Range::between(0.0, 0.002), 0.0);
+    law.correlation_m = section.distribution("correlation_length", Unit::length,
+                                             Range::between(1e-5, 0.1), law.correlation_m);
     law.permittivity_factor = section.factor("permittivity_factor", Range::inside(0.5, 2.0), 1.0);
     law.loss_factor = section.factor("loss_factor", Range::inside(0.1, 10.0), 1.0);
     section.finish();

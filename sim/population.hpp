@@ -16,6 +16,7 @@ struct SampleLaw {
     Distribution thickness_m;
     Distribution bow_m;
     Distribution roughness_m;
+    Distribution correlation_m{SampleLayer::usual_correlation_m};
     Distribution permittivity_factor{1.0};
     Distribution loss_factor{1.0};
 };

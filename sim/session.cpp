@@ -36,6 +36,16 @@ int piece_of(const Condition& condition, const SessionId& id) {
     return (1 + id.session) * 64 + id.label + (condition.number << 16);
 }
 
+/// A short correlation scatters next to nothing; none at all would divide by zero.
+constexpr double least_correlation_m = 1e-5;
+
+/// Seed of the heights: the same for every session of a physical piece.
+std::uint64_t seed_of_piece(const Bench& bench, const Condition& condition, const SessionId& id) {
+    Stream stream(key_of(bench, id, "piece", static_cast<std::uint32_t>(piece_of(condition, id))));
+    const std::uint64_t high = stream.bits();
+    return high << 32 | stream.bits();
+}
+
 Sample draw_sample(const Bench& bench, const Condition& condition, const SessionId& id) {
     const SampleLaw& law = bench.population.classes[static_cast<std::size_t>(id.label)];
     Stream stream(
@@ -48,6 +58,8 @@ Sample draw_sample(const Bench& bench, const Condition& condition, const Session
     sample.roughness_m = positive(law.roughness_m);
     sample.permittivity_factor = positive(law.permittivity_factor);
     sample.loss_factor = positive(law.loss_factor);
+    sample.correlation_m = std::max(least_correlation_m, positive(law.correlation_m));
+    sample.piece = seed_of_piece(bench, condition, id);
     return sample;
 }
 
@@ -108,6 +120,7 @@ Truth session_truth(const Condition& condition, const SessionId& id, const Sampl
     truth.thickness_m = sample.thickness_m;
     truth.bow_m = sample.face.bow_m;
     truth.roughness_m = sample.roughness_m;
+    truth.correlation_m = sample.correlation_m;
     truth.permittivity_factor = sample.permittivity_factor;
     truth.loss_factor = sample.loss_factor;
     return truth;

@@ -2,8 +2,10 @@
 
 #include <cmath>
 
+#include "sim/channel/diffuse_power.hpp"
 #include "sim/channel/path.hpp"
 #include "sim/scene_target.hpp"
+#include "sim/speckle_echo.hpp"
 #include "sim/trace/trace.hpp"
 
 namespace specula {
@@ -16,14 +18,60 @@ TraceSettings trace_settings(const Solver& solver, const FrequencyComb& comb) {
             .max_bounces = solver.max_bounces};
 }
 
+/// A scene ready to be traced.
+struct Stage {
+    FrequencyComb comb;
+    std::vector<Reflector> reflectors;  ///< (body)
+    Target target;
+    AntennaSet antennas;
+    TraceSettings settings;
+
+    Stage(const Scene& scene, const Library& materials)
+        : comb(comb_of(scene.radar.chirp)),
+          reflectors(reflectors_of(scene, materials)),
+          target(target_of(scene, reflectors)),
+          antennas(antennas_of(scene.radar, radar_placement(scene.pose))),
+          settings(trace_settings(scene.solver, comb)) {}
+
+    SpeckleScene speckle() const { return {target, antennas, comb, settings.accuracy_db}; }
+};
+
+/// The bodies whose roughness scatters, in the order of the reflectors.
+std::vector<RoughBody> rough_bodies(const Scene& scene, const Stage& stage) {
+    std::vector<RoughBody> bodies;
+    if (scene.solver.roughness == Solver::Roughness::coherent) return bodies;
+    for (std::size_t i = 0; i < stage.reflectors.size(); ++i)
+        bodies.push_back({static_cast<int>(i), stage.reflectors[i],
+                          i == 0 ? scene.sample.piece : scene.objects[i - 1].matter.piece});
+    return bodies;
+}
+
 }  // namespace
 
 Channel echo_channel(const Scene& scene, const Library& materials) {
-    const FrequencyComb comb = comb_of(scene.radar.chirp);
-    const std::vector<Reflector> reflectors = reflectors_of(scene, materials);
-    const Scatter scatter = trace(target_of(scene, reflectors), antennas_of(scene.radar, radar_placement(scene.pose)),
-                                  trace_settings(scene.solver, comb));
-    return channel_of(scatter, reflectors, comb);
+    const Stage stage(scene, materials);
+    Scatter scatter = trace(stage.target, stage.antennas, stage.settings);
+    for (const RoughBody& body : rough_bodies(scene, stage))
+        add_speckle(scatter, stage.speckle(), body);
+    return channel_of(scatter, stage.reflectors, stage.comb);
+}
+
+MeanEcho mean_echo(const Scene& scene, const Library& materials) {
+    const Stage stage(scene, materials);
+    const Scatter scatter = trace(stage.target, stage.antennas, stage.settings);
+    MeanEcho echo{.coherent = channel_of(scatter, stage.reflectors, stage.comb),
+                  .diffuse_power = {}};
+    echo.diffuse_power.resize(echo.coherent.h.size(), 0.0);
+    for (const RoughBody& body : rough_bodies(scene, stage)) {
+        for (const RoughLayer& layer :
+             rough_layers(body, stage.comb, scene.solver.accuracy_db)) {
+            const std::vector<double> power =
+                mean_diffuse_power(diffuse_cells(stage.target, stage.antennas, layer),
+                                   stage.reflectors, stage.comb);
+            for (std::size_t i = 0; i < power.size(); ++i) echo.diffuse_power[i] += power[i];
+        }
+    }
+    return echo;
 }
 
 Channel leakage_channel(const Radar& radar, const BoardDrift& drift) {

@@ -8,6 +8,14 @@ namespace specula {
 /// The echo of everything in the scene at every frequency of the radar's chirp.
 Channel echo_channel(const Scene& scene, const Library& materials);
 
+/// An echo without drawing a piece: the mean of |h|^2 over all pieces like the scene's is
+/// |coherent|^2 + diffuse_power, at every RX and frequency.
+struct MeanEcho {
+    Channel coherent;
+    std::vector<double> diffuse_power;  ///< (rx, frequency), as in Channel::h
+};
+MeanEcho mean_echo(const Scene& scene, const Library& materials);
+
 /// How the board differs from its file during a session.
 struct BoardDrift {
     double leakage_db = 0.0;

@@ -27,6 +27,7 @@ struct Truth {
     double thickness_m = 0.0;
     double bow_m = 0.0;
     double roughness_m = 0.0;
+    double correlation_m = 0.0;
     double permittivity_factor = 1.0;
     double loss_factor = 1.0;
     double gain_db = 0.0;  ///< of session and frame together
@@ -42,7 +43,7 @@ struct TruthColumn {
 };
 
 /// All columns, in the order of the file. FORMAT.md lists them for readers.
-inline constexpr std::array<TruthColumn, 18> truth_columns{{
+inline constexpr std::array<TruthColumn, 19> truth_columns{{
     {"height_m", "m", "phase centre above the untilted face", &Truth::height_m},
     {"nominal_height_m", "m", "height asked for", &Truth::nominal_height_m},
     {"sensor_tilt_x_rad", "rad", "sensor about its x axis", &Truth::sensor_tilt_x_rad},
@@ -57,6 +58,7 @@ inline constexpr std::array<TruthColumn, 18> truth_columns{{
     {"thickness_m", "m", "sample thickness", &Truth::thickness_m},
     {"bow_m", "m", "edge midpoints below the centre", &Truth::bow_m},
     {"roughness_m", "m", "rms height of the face", &Truth::roughness_m},
+    {"correlation_m", "m", "correlation length of the face's heights", &Truth::correlation_m},
     {"permittivity_factor", "1", "of this piece over the library's", &Truth::permittivity_factor},
     {"loss_factor", "1", "loss tangent over the library's", &Truth::loss_factor},
     {"gain_db", "dB", "receiver gain off nominal", &Truth::gain_db},

@@ -89,11 +89,13 @@ void show_matter(const Sample& sample, const char* how_opaque) {
     else
         std::printf("%.4g mm thick, backed by %s%s\n", sample.thickness_m * 1e3,
                     sample.backing.c_str(), how_opaque);
-    std::printf("bow %.4g mm, roughness %.4g um rms\n", sample.face.bow_m * 1e3,
-                sample.roughness_m * 1e6);
+    std::printf("bow %.4g mm, roughness %.4g um rms, correlation length %.4g mm, piece %llu\n",
+                sample.face.bow_m * 1e3, sample.roughness_m * 1e6, sample.correlation_m * 1e3,
+                static_cast<unsigned long long>(sample.piece));
     for (const SampleLayer& layer : sample.layers)
-        std::printf("  %-18s %8.4g mm, roughness %.4g um rms\n", layer.material.c_str(),
-                    layer.thickness_m * 1e3, layer.roughness_m * 1e6);
+        std::printf("  %-18s %8.4g mm, roughness %.4g um rms, correlation length %.4g mm\n",
+                    layer.material.c_str(), layer.thickness_m * 1e3, layer.roughness_m * 1e6,
+                    layer.correlation_m * 1e3);
 }
 
 void show_objects(const Scene& scene, const Library& materials) {

@@ -33,6 +33,7 @@ Truth truth_of(const Scene& scene) {
     truth.thickness_m = scene.sample.thickness_m;
     truth.bow_m = scene.sample.face.bow_m;
     truth.roughness_m = scene.sample.roughness_m;
+    truth.correlation_m = scene.sample.correlation_m;
     return truth;
 }
 
