@@ -37,6 +37,7 @@ const std::map<std::string, ComputePoint> kinds{
     {"N01", infinite_plane_point},
     {"R01", conducting_sphere_point},
     {"R02", dielectric_sphere_point},
+    {"S01", rough_plate_point},
     {"U01", path_sum_point},
 };
 

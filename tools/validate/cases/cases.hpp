@@ -18,6 +18,9 @@ std::vector<Quantity> roughness_point(const CasePoint& point);
 std::vector<Quantity> energy_point(const CasePoint& point);
 std::vector<Quantity> slab_echo_point(const CasePoint& point);
 
+// Statistics
+std::vector<Quantity> rough_plate_point(const CasePoint& point);
+
 // FMCW radar
 std::vector<Quantity> range_bin_point(const CasePoint& point);
 std::vector<Quantity> displacement_point(const CasePoint& point);
