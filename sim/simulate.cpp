@@ -48,12 +48,12 @@ std::vector<RoughBody> rough_bodies(const Scene& scene, const Stage& stage) {
 
 }  // namespace
 
-Channel echo_channel(const Scene& scene, const Library& materials) {
+Channel echo_channel(const Scene& scene, const Library& materials, const ForEach& for_each) {
     const Stage stage(scene, materials);
     Scatter scatter = trace(stage.target, stage.antennas, stage.settings);
     for (const RoughBody& body : rough_bodies(scene, stage))
         add_speckle(scatter, stage.speckle(), body);
-    return channel_of(scatter, stage.reflectors, stage.comb);
+    return channel_of(scatter, stage.reflectors, stage.comb, for_each);
 }
 
 MeanEcho mean_echo(const Scene& scene, const Library& materials) {
@@ -88,8 +88,9 @@ Channel leakage_channel(const Radar& radar, const BoardDrift& drift) {
     return channel;
 }
 
-AdcFrame simulate(const Scene& scene, const Library& materials, Stream& noise) {
-    const Channel echo = echo_channel(scene, materials);
+AdcFrame simulate(const Scene& scene, const Library& materials, Stream& noise,
+                  const ForEach& for_each) {
+    const Channel echo = echo_channel(scene, materials, for_each);
     const Channel still = leakage_channel(scene.radar, {});
     const ReceiverInput input{dechirp(echo, scene.radar.chirp), dechirp(still, scene.radar.chirp)};
     return ReceiverChain(scene.radar).receive(input, {}, noise);

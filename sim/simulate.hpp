@@ -2,11 +2,13 @@
 
 #include "scenes/scene.hpp"
 #include "sim/adc/receiver_chain.hpp"
+#include "sim/core/for_each.hpp"
 
 namespace specula {
 
 /// The echo of everything in the scene at every frequency of the radar's chirp.
-Channel echo_channel(const Scene& scene, const Library& materials);
+Channel echo_channel(const Scene& scene, const Library& materials,
+                     const ForEach& for_each = one_by_one);
 
 /// An echo without drawing a piece: the mean of |h|^2 over all pieces like the scene's is
 /// |coherent|^2 + diffuse_power, at every RX and frequency.
@@ -26,6 +28,7 @@ struct BoardDrift {
 Channel leakage_channel(const Radar& radar, const BoardDrift& drift);
 
 /// The whole simulator in words: scene -> lit points -> channel -> beat -> ADC codes.
-AdcFrame simulate(const Scene& scene, const Library& materials, Stream& noise);
+AdcFrame simulate(const Scene& scene, const Library& materials, Stream& noise,
+                  const ForEach& for_each = one_by_one);
 
 }  // namespace specula

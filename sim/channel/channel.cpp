@@ -46,16 +46,18 @@ std::array<double, 5> looks_of(const FrequencyComb& comb) {
 
 /// Any route, every coefficient worked out where it is needed: for what no short series describes.
 void add_plainly(const RouteScatter& route, std::span<const Reflector> reflectors,
-                 const FrequencyComb& comb, Channel& channel) {
+                 const FrequencyComb& comb, const ForEach& for_each, Channel& channel) {
     const Scatter alone{.n_rx = channel.n_rx, .routes = {route}};
-    for (int rx = 0; rx < channel.n_rx; ++rx)
-        for (int i = 0; i < comb.n; ++i)
+    for_each(static_cast<std::size_t>(comb.n), [&](std::size_t number) {
+        const int i = static_cast<int>(number);
+        for (int rx = 0; rx < channel.n_rx; ++rx)
             channel.of_rx(rx)[i] += direct_sum(alone, rx, reflectors, comb.at(i));
+    });
 }
 
 /// A route without events: few frequencies, then interpolation.
 void add_straight(const RouteScatter& scatter, std::span<const Reflector> reflectors,
-                  const FrequencyComb& comb, Channel& channel) {
+                  const FrequencyComb& comb, const ForEach& for_each, Channel& channel) {
     const Reflector& reflector = reflectors[static_cast<std::size_t>(scatter.route.body)];
     const Scatter::Extent path = path_extent_m(scatter), cosine = cosine_extent(scatter);
     if (path.high == 0.0) return;
@@ -65,10 +67,12 @@ void add_straight(const RouteScatter& scatter, std::span<const Reflector> reflec
         0.5 * (wavenumber_rad_m(comb.last_hz()) - wavenumber_rad_m(comb.first_hz));
     MomentGrid grid{{comb.first_hz, comb.last_hz(), 1}, {cosine.low, cosine.high, 1}, reference_m};
     grid.frequency_hz.n = points_for_phase(half_band_rad_m * 0.5 * (path.high - path.low));
-    if (grid.frequency_hz.n > 4 * comb.n) return add_plainly(scatter, reflectors, comb, channel);
+    if (grid.frequency_hz.n > 4 * comb.n)
+        return add_plainly(scatter, reflectors, comb, for_each, channel);
     const auto looks_hz = looks_of(comb);
     grid.cos_incidence.n = polynomials_needed(currents, reflector, looks_hz, grid.cos_incidence);
-    if (grid.cos_incidence.n == 0) return add_plainly(scatter, reflectors, comb, channel);
+    if (grid.cos_incidence.n == 0)
+        return add_plainly(scatter, reflectors, comb, for_each, channel);
 
     const std::vector<double> frequencies_hz = frequencies_of(comb);
     const auto from_nodes = interpolation_matrix(grid.frequency_hz, frequencies_hz);
@@ -146,14 +150,15 @@ Complex point_sum(const PairScatter& pair, std::size_t point, std::span<const Te
 
 /// A route over mirrors or through sheets: summed at every frequency.
 void add_eventful(const RouteScatter& scatter, std::span<const Reflector> reflectors,
-                  const FrequencyComb& comb, Channel& channel) {
+                  const FrequencyComb& comb, const ForEach& for_each, Channel& channel) {
     const std::vector<Event> events = events_of(scatter.route);
     const std::vector<ChebyshevGrid> grids = route_cosines(scatter, reflectors, comb);
     const auto unwieldy = [](const ChebyshevGrid& grid) { return grid.n == 0; };
     if (std::any_of(grids.begin(), grids.end(), unwieldy))
-        return add_plainly(scatter, reflectors, comb, channel);
-    std::vector<TeTm> at(events.size());
-    for (int i = 0; i < comb.n; ++i) {
+        return add_plainly(scatter, reflectors, comb, for_each, channel);
+    for_each(static_cast<std::size_t>(comb.n), [&](std::size_t number) {
+        const int i = static_cast<int>(number);
+        std::vector<TeTm> at(events.size());
         std::vector<AngularSeries> series;
         for (std::size_t e = 0; e < grids.size(); ++e) {
             const Event event = e < events.size() ? events[e] : currents_of(scatter.route);
@@ -174,7 +179,7 @@ void add_eventful(const RouteScatter& scatter, std::span<const Reflector> reflec
             }
             channel.of_rx(rx)[i] += surface_factor * sum;
         }
-    }
+    });
 }
 
 double reference_path_m(const Scatter& scatter) {
@@ -192,7 +197,7 @@ double reference_path_m(const Scatter& scatter) {
 }  // namespace
 
 Channel channel_of(const Scatter& scatter, std::span<const Reflector> reflectors,
-                   const FrequencyComb& comb) {
+                   const FrequencyComb& comb, const ForEach& for_each) {
     Channel channel{.n_rx = scatter.n_rx,
                     .n_frequencies = comb.n,
                     .h = std::vector<Complex>(static_cast<std::size_t>(scatter.n_rx) *
@@ -200,9 +205,9 @@ Channel channel_of(const Scatter& scatter, std::span<const Reflector> reflectors
                     .reference_path_m = reference_path_m(scatter)};
     for (const RouteScatter& route : scatter.routes) {
         if (route.route.n_events() == 0)
-            add_straight(route, reflectors, comb, channel);
+            add_straight(route, reflectors, comb, for_each, channel);
         else
-            add_eventful(route, reflectors, comb, channel);
+            add_eventful(route, reflectors, comb, for_each, channel);
     }
     return channel;
 }

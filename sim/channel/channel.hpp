@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim/channel/reflector.hpp"
+#include "sim/core/for_each.hpp"
 #include "sim/trace/scatter.hpp"
 
 namespace specula {
@@ -42,9 +43,10 @@ struct Channel {
 /// then interpolated, the coefficients entering at their own frequency and angle. The others are
 /// summed at every frequency. Error against the plain sum: below 1e-6 of the largest value.
 /// @in  reflectors  (body)
+/// @in  for_each    who sums frequency by frequency; the result does not depend on it by a bit
 /// @eq  PHYSICS.md#surface-integral, #moments
 Channel channel_of(const Scatter& scatter, std::span<const Reflector> reflectors,
-                   const FrequencyComb& comb);
+                   const FrequencyComb& comb, const ForEach& for_each = one_by_one);
 
 /// The plain sum at one frequency for one RX: what channel_of must agree with.
 Complex direct_sum(const Scatter& scatter, int rx, std::span<const Reflector> reflectors,

@@ -1,4 +1,6 @@
+#include <chrono>
 #include <cstdio>
+#include <optional>
 
 #include "firmware/fw_extract.h"
 #include "sim/core/error.hpp"
@@ -7,10 +9,12 @@
 #include "sim/core/version.hpp"
 #include "sim/dataset/dataset.hpp"
 #include "sim/link_budget.hpp"
+#include "sim/parallel.hpp"
 #include "sim/simulate.hpp"
 #include "tools/console/console.hpp"
 #include "tools/specula/bar_chart.hpp"
 #include "tools/specula/commands.hpp"
+#include "tools/study/progress.hpp"
 
 namespace specula {
 
@@ -78,6 +82,22 @@ std::uint16_t shown_bins(const Scene& scene) {
     return static_cast<std::uint16_t>(std::min(std::max(24, reached), chirp.n_samples / 2));
 }
 
+constexpr double long_s = 2.0;  ///< from which on a user wants to know how far it is
+
+/// On all processors; with a progress line when the first part foretells a long wait.
+void with_progress(std::size_t n, const std::function<void(std::size_t)>& part) {
+    if (n == 0) return;
+    const auto start = std::chrono::steady_clock::now();
+    part(0);
+    const std::chrono::duration<double> first = std::chrono::steady_clock::now() - start;
+    const int threads = available_threads();
+    const double rest_s = first.count() * static_cast<double>(n - 1) / threads;
+    std::optional<Progress> progress;
+    if (rest_s > long_s) ++progress.emplace("summing the echo", "frequencies", n).done();
+    for_each_index(n - 1, threads, [&](std::size_t i) { part(i + 1); },
+                   progress ? &progress->done() : nullptr);
+}
+
 }  // namespace
 
 void simulate_command(const SimulateArguments& arguments, const Catalogue& catalogue) {
@@ -92,7 +112,7 @@ void simulate_command(const SimulateArguments& arguments, const Catalogue& catal
     for (const BandWarning& warning : band_warnings(scene, catalogue.materials))
         say_warning(warning.text());
     Stream noise({.seed = arguments.seed, .purpose = "thermal noise"});
-    const AdcFrame frame = simulate(scene, catalogue.materials, noise);
+    const AdcFrame frame = simulate(scene, catalogue.materials, noise, with_progress);
     write_dataset(out, dataset_of(scene, frame, arguments, Section::read(arguments.scene)));
 
     const LinkBudget mirror = mirror_budget(scene.radar, scene.pose.height_m);
