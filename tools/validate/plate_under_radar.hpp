@@ -40,6 +40,6 @@ Reflector perfect_reflector();
 Reflector slab_reflector(const Fields& inp, const std::string& prefix = "");
 
 /// Error of traced sums that cases are held against, in dB: far below any tolerance.
-inline constexpr double validation_accuracy_db = 1e-4;
+inline constexpr double validation_accuracy_db = 1e-6;
 
 }  // namespace specula
