@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <variant>
 #include <vector>
 
@@ -29,10 +30,40 @@ struct TriangleSurface {
     SurfacePoint at(double u, double v) const;
 };
 
+/// A flat disc about the origin of its own frame, normal +z: u is the radius, v the angle.
+struct DiscSurface {
+    double radius_m;
+    Placement placement;
+    SurfacePoint at(double u, double v) const;
+};
+
+/// The side of a round cylinder about the z axis of its own frame: u is the angle, v runs along.
+struct CylinderSurface {
+    double radius_m;
+    double length_m;
+    Placement placement;
+    SurfacePoint at(double u, double v) const;
+};
+
+/// A sphere about the origin of its own frame: u is the angle from the pole +z, v the azimuth.
+struct SphereSurface {
+    double radius_m;
+    Placement placement;
+    SurfacePoint at(double u, double v) const;
+};
+
 /// A smooth piece of surface over u, v in [-1, 1].
-using Surface = std::variant<PlateSurface, TriangleSurface>;
+using Surface =
+    std::variant<PlateSurface, TriangleSurface, DiscSurface, CylinderSurface, SphereSurface>;
 
 SurfacePoint surface_point(const Surface& surface, double u, double v);
+
+/// The surface in triangles with their corners on it.
+struct Cells {
+    std::uint32_t along_u;
+    std::uint32_t along_v;
+};
+Mesh triangulate(const Surface& surface, const Cells& cells);
 
 /// A rectangle of a surface's parameters.
 struct Patch {
@@ -44,5 +75,9 @@ struct Patch {
     double half_u() const { return 0.5 * (u[1] - u[0]); }
     double half_v() const { return 0.5 * (v[1] - v[0]); }
 };
+
+/// A surface cut so that points at even steps of u and v bend the phase little more than
+/// quadratically: round ones into eighths of a turn.
+std::vector<Patch> patches_of(const Surface& surface);
 
 }  // namespace specula

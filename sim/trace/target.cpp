@@ -67,6 +67,10 @@ Face whole_face(const Body& body, int number) {
         face.flat = plate->plate.bow_m == 0.0;
         face.point_m = plate->placement.shift_m;
         face.normal = plate->placement.direction(Vector3::UnitZ());
+    } else if (const auto* disc = std::get_if<DiscSurface>(&body.surfaces.front())) {
+        face.flat = true;
+        face.point_m = disc->placement.shift_m;
+        face.normal = disc->placement.direction(Vector3::UnitZ());
     }
     return face;
 }
@@ -75,6 +79,12 @@ Face whole_face(const Body& body, int number) {
 
 Body plate_body(const Plate& plate, const Placement& placement, bool opaque, double thickness_m) {
     return {{PlateSurface{plate, placement}}, triangulate(plate, placement), opaque, thickness_m};
+}
+
+Body smooth_body(const Surface& surface) {
+    constexpr std::uint32_t round = 256;  // chords of a 256th turn leave the circle by 1/13000
+    const bool is_plate = std::holds_alternative<PlateSurface>(surface);
+    return {{surface}, triangulate(surface, is_plate ? Cells{64, 64} : Cells{round, round})};
 }
 
 Body mesh_body(const Mesh& mesh, bool opaque, double thickness_m) {

@@ -18,6 +18,10 @@ struct Body {
 
 Body plate_body(const Plate& plate, const Placement& placement, bool opaque, double thickness_m);
 
+/// An opaque body of one smooth surface. The triangles that rays meet lie inside a convex one, so
+/// it casts no shadow on its own lit side.
+Body smooth_body(const Surface& surface);
+
 /// Triangles in the scene's frame. Throws InputError for vertices that are not finite and indices
 /// out of range; triangles without area are left out.
 Body mesh_body(const Mesh& mesh, bool opaque, double thickness_m);

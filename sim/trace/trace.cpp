@@ -58,7 +58,8 @@ class FaceTracer {
 
     void add(const Task& task) {
         for (const Surface& surface : target_.faces()[static_cast<std::size_t>(task.face)].surfaces)
-            if (task.mirrors.faces.empty() || is_reached(task, surface)) add(task, surface, {});
+            if (task.mirrors.faces.empty() || is_reached(task, surface))
+                for (const Patch& patch : patches_of(surface)) add(task, surface, patch);
     }
 
   private:

@@ -148,22 +148,36 @@ void Comparison::whole(const PartNames& names, std::span<const Complex> computed
          tolerance(key), "relative"});
 }
 
-void Comparison::channel(const std::string& prefix, Complex h) {
+void Comparison::power(const PowerNames& names, const Power& computed, const std::string& key) {
+    const double level_db = power_db(computed.value);
+    if (wants(names.power)) {
+        const double expected = point_.expect.number(names.power, Range::at_least(0.0));
+        add({names.power, computed.value, expected,
+             level_error_db({level_db, power_db(expected)}, computed.floor_db), tolerance(key),
+             "dB"});
+    }
+    if (!wants(names.level)) return;
+    const double expected_db = point_.expect.number(names.level);
+    add({names.level, level_db, expected_db,
+         level_error_db({level_db, expected_db}, computed.floor_db), tolerance(key), "dB"});
+}
+
+void Comparison::channel(const std::string& prefix, Complex h, const ChannelTolerance& allowed) {
     const std::string name = prefix + "h";
     if (wants(name)) {
         const Complex expected = point_.expect.complex(name);
-        add({name + " (level)", h, expected, amplitude_error_db({h, expected}), tolerance("db"),
-             "dB"});
+        add({name + " (level)", h, expected, amplitude_error_db({h, expected}),
+             tolerance(allowed.level), "dB"});
         add({name + " (phase)", h, expected,
-             wrapped_error({phase_deg(h), phase_deg(expected)}, 360.0), tolerance("phase_deg"),
+             wrapped_error({phase_deg(h), phase_deg(expected)}, 360.0), tolerance(allowed.phase),
              "deg"});
     }
-    level(prefix + "abs_db", amplitude_db(h), "db");
+    level(prefix + "abs_db", amplitude_db(h), allowed.level);
     const std::string angle = prefix + "phase_deg";
     if (!wants(angle)) return;
     const double expected = point_.expect.number(angle);
     add({angle, phase_deg(h), expected, wrapped_error({phase_deg(h), expected}, 360.0),
-         tolerance("phase_deg"), "deg"});
+         tolerance(allowed.phase), "deg"});
 }
 
 std::vector<Quantity> Comparison::finish() const {

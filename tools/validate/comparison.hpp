@@ -22,6 +22,12 @@ struct Allowed {
     std::string unit;
 };
 
+/// Keys of what a channel may be off by.
+struct ChannelTolerance {
+    std::string level = "db";
+    std::string phase = "phase_deg";
+};
+
 /// Sets what was computed for a point beside what the point expects.
 ///
 /// Names that the point does not expect are passed over. Tolerances are keys of the case's
@@ -62,7 +68,21 @@ class Comparison {
     void whole(const PartNames& names, std::span<const Complex> computed, const std::string& key);
 
     /// A channel: `<prefix>h`, `<prefix>abs_db` and `<prefix>phase_deg`, by level and phase.
-    void channel(const std::string& prefix, Complex h);
+    void channel(const std::string& prefix, Complex h, const ChannelTolerance& allowed = {});
+
+    /// A cross-section or another power, under its own name and under that of its level, both by
+    /// level; levels below `floor_db` are all alike.
+    struct PowerNames {
+        std::string power, level;
+    };
+    struct Power {
+        double value;
+        double floor_db = -400.0;
+    };
+    void power(const PowerNames& names, const Power& computed, const std::string& key);
+
+    /// Something the case does not list, held against a value found in another way.
+    void additional(Quantity quantity) { add(std::move(quantity)); }
 
     /// A value whose expectation the caller has dug out of a list.
     void beside(const std::string& name, const NumberPair& values, const Allowed& allowed);

@@ -35,12 +35,26 @@ std::vector<Quantity> leakage_point(const CasePoint& point);
 
 // Invariants
 std::vector<Quantity> pattern_integral_point(const CasePoint& point);
+std::vector<Quantity> reciprocity_point(const CasePoint& point);
 std::vector<Quantity> intercepted_power_point(const CasePoint& point);
 
 // Near field, cross-sections, numerics
 std::vector<Quantity> infinite_plane_point(const CasePoint& point);
 std::vector<Quantity> conducting_sphere_point(const CasePoint& point);
 std::vector<Quantity> dielectric_sphere_point(const CasePoint& point);
+std::vector<Quantity> plate_point(const CasePoint& point);
+std::vector<Quantity> dielectric_plate_point(const CasePoint& point);
+std::vector<Quantity> near_to_far_point(const CasePoint& point);
+std::vector<Quantity> bowed_plate_point(const CasePoint& point);
+std::vector<Quantity> chirp_response_point(const CasePoint& point);
+std::vector<Quantity> disc_echo_point(const CasePoint& point);
+std::vector<Quantity> sphere_echo_point(const CasePoint& point);
+std::vector<Quantity> corner_images_point(const CasePoint& point);
+std::vector<Quantity> plate_cross_section_point(const CasePoint& point);
+std::vector<Quantity> triangle_point(const CasePoint& point);
+std::vector<Quantity> dihedral_point(const CasePoint& point);
+std::vector<Quantity> trihedral_point(const CasePoint& point);
+std::vector<Quantity> disc_or_cylinder_point(const CasePoint& point);
 std::vector<Quantity> path_sum_point(const CasePoint& point);
 
 }  // namespace specula

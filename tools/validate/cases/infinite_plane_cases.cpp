@@ -9,21 +9,21 @@ namespace specula {
 
 namespace {
 
-struct Surface {
+struct WholePlane {
     Stack stack;             ///< as the simulator takes it
     DipoleOverPlane dipole;  ///< as the spectral integral takes it
 };
 
 /// `eps` alone is a half-space; with `d_m` a slab, in air unless `substrate` says otherwise;
 /// neither is a perfect conductor, which `surface` must then name.
-Surface surface_of(const Fields& inp) {
+WholePlane plane_of(const Fields& inp) {
     const double frequency_hz = frequency_of(inp);
     const double least_m = 0.1 * speed_of_light_m_s / frequency_hz;
-    Surface surface{.stack = {.frequency_hz = frequency_hz},
-                    .dipole = {.frequency_hz = frequency_hz,
-                               .height_m = inp.number("H_m", Range::at_least(least_m)),
-                               .layers = {},
-                               .backing = std::nullopt}};
+    WholePlane surface{.stack = {.frequency_hz = frequency_hz},
+                       .dipole = {.frequency_hz = frequency_hz,
+                                  .height_m = inp.number("H_m", Range::at_least(least_m)),
+                                  .layers = {},
+                                  .backing = std::nullopt}};
     const std::string name = lower_case(inp.text("surface"));
     if (!inp.has("eps")) {
         if (name.find("pec") == std::string::npos)
@@ -49,7 +49,7 @@ Surface surface_of(const Fields& inp) {
 }  // namespace
 
 std::vector<Quantity> infinite_plane_point(const CasePoint& point) {
-    const Surface surface = surface_of(point.inp);
+    const WholePlane surface = plane_of(point.inp);
     const Complex image = image_source({.frequency_hz = surface.dipole.frequency_hz,
                                         .height_m = surface.dipole.height_m,
                                         .gain = point.inp.number_or("G", 1.0, Range::above(0.0)),
