@@ -15,7 +15,8 @@ namespace {
 TraceSettings trace_settings(const Solver& solver, const FrequencyComb& comb) {
     return {.highest_hz = comb.last_hz(),
             .accuracy_db = solver.accuracy_db,
-            .max_bounces = solver.max_bounces};
+            .max_bounces = solver.max_bounces,
+            .edge_currents = solver.edge_currents};
 }
 
 /// A scene ready to be traced.
