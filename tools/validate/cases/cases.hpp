@@ -43,4 +43,8 @@ std::vector<Quantity> conducting_sphere_point(const CasePoint& point);
 std::vector<Quantity> dielectric_sphere_point(const CasePoint& point);
 std::vector<Quantity> path_sum_point(const CasePoint& point);
 
+// Full wave
+std::vector<Quantity> conducting_strip_point(const CasePoint& point);
+std::vector<Quantity> dielectric_strip_point(const CasePoint& point);
+
 }  // namespace specula
