@@ -89,11 +89,14 @@ Channel leakage_channel(const Radar& radar, const BoardDrift& drift) {
     return channel;
 }
 
-AdcFrame simulate(const Scene& scene, const Library& materials, Stream& noise) {
-    const Channel echo = echo_channel(scene, materials);
+AdcFrame record(const Scene& scene, const Channel& echo, Stream& noise) {
     const Channel still = leakage_channel(scene.radar, {});
     const ReceiverInput input{dechirp(echo, scene.radar.chirp), dechirp(still, scene.radar.chirp)};
     return ReceiverChain(scene.radar).receive(input, {}, noise);
+}
+
+AdcFrame simulate(const Scene& scene, const Library& materials, Stream& noise) {
+    return record(scene, echo_channel(scene, materials), noise);
 }
 
 }  // namespace specula
