@@ -11,6 +11,7 @@ Solver read_solver(Section& root) {
     solver.max_bounces = section->count("max_bounces", Range::between(1, 4), solver.max_bounces);
     if (section->choice("roughness", {"statistical", "coherent"}, "statistical") == "coherent")
         solver.roughness = Solver::Roughness::coherent;
+    solver.edge_currents = section->flag("edge_currents", solver.edge_currents);
     section->finish();
     return solver;
 }

@@ -13,6 +13,7 @@ struct Solver {
     /// (slow, for reference), or the loss of the coherent echo alone.
     enum class Roughness { statistical, height_field, coherent };
     Roughness roughness = Roughness::statistical;
+    bool edge_currents = false;  ///< add what free edges of metals send back beyond optics
 };
 
 /// Reads [solver] of a file's root table; where there is none, the defaults hold.

@@ -15,7 +15,8 @@ namespace {
 TraceSettings trace_settings(const Solver& solver, const FrequencyComb& comb) {
     return {.highest_hz = comb.last_hz(),
             .accuracy_db = solver.accuracy_db,
-            .max_bounces = solver.max_bounces};
+            .max_bounces = solver.max_bounces,
+            .edge_currents = solver.edge_currents};
 }
 
 /// A scene ready to be traced.
@@ -88,12 +89,15 @@ Channel leakage_channel(const Radar& radar, const BoardDrift& drift) {
     return channel;
 }
 
-AdcFrame simulate(const Scene& scene, const Library& materials, Stream& noise,
-                  const ForEach& for_each) {
-    const Channel echo = echo_channel(scene, materials, for_each);
+AdcFrame record(const Scene& scene, const Channel& echo, Stream& noise) {
     const Channel still = leakage_channel(scene.radar, {});
     const ReceiverInput input{dechirp(echo, scene.radar.chirp), dechirp(still, scene.radar.chirp)};
     return ReceiverChain(scene.radar).receive(input, {}, noise);
+}
+
+AdcFrame simulate(const Scene& scene, const Library& materials, Stream& noise,
+                  const ForEach& for_each) {
+    return record(scene, echo_channel(scene, materials, for_each), noise);
 }
 
 }  // namespace specula

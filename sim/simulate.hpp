@@ -27,6 +27,9 @@ struct BoardDrift {
 /// What the board couples from its TX into its RX without any scene.
 Channel leakage_channel(const Radar& radar, const BoardDrift& drift);
 
+/// The radar's codes for an echo that is already known: echo -> beat -> ADC codes.
+AdcFrame record(const Scene& scene, const Channel& echo, Stream& noise);
+
 /// The whole simulator in words: scene -> lit points -> channel -> beat -> ADC codes.
 AdcFrame simulate(const Scene& scene, const Library& materials, Stream& noise,
                   const ForEach& for_each = one_by_one);

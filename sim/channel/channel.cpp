@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "sim/channel/coefficients.hpp"
+#include "sim/channel/edge_channel.hpp"
 #include "sim/channel/moments.hpp"
 #include "sim/core/constants.hpp"
 
@@ -209,6 +210,7 @@ Channel channel_of(const Scatter& scatter, std::span<const Reflector> reflectors
         else
             add_eventful(route, reflectors, comb, for_each, channel);
     }
+    add_edges(scatter, reflectors, comb, channel);
     return channel;
 }
 
@@ -235,7 +237,7 @@ Complex direct_sum(const Scatter& scatter, int rx, std::span<const Reflector> re
                              coefficients_of(currents, currents_stack, pair.cos_incidence[point]));
         }
     }
-    return surface_factor * sum;
+    return surface_factor * sum + edge_sum(scatter, rx, reflectors, frequency_hz);
 }
 
 }  // namespace specula

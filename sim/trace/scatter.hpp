@@ -56,10 +56,22 @@ struct RouteScatter {
     std::vector<PairScatter> rx;  ///< (rx)
 };
 
+/// What the free edges of a body add to physical optics, when it is a perfect conductor:
+///
+/// h(f) = -j/(8 pi) Sum_points weight exp(-jk path) / (jk)
+///
+/// `weight` has one row, in 1/m; the cosines are empty.
+/// @eq PHYSICS.md#edge-currents
+struct EdgeScatter {
+    int body = 0;
+    std::vector<PairScatter> rx;  ///< (rx)
+};
+
 /// What the radar sees: no material in it, so that one trace serves any of them.
 struct Scatter {
     int n_rx = 0;
     std::vector<RouteScatter> routes;
+    std::vector<EdgeScatter> edges{};
 
     struct Extent {
         double low = 0.0;

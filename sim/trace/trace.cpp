@@ -4,6 +4,7 @@
 
 #include "sim/core/constants.hpp"
 #include "sim/core/expect.hpp"
+#include "sim/trace/edge_trace.hpp"
 #include "sim/trace/gauss_legendre.hpp"
 #include "sim/trace/quadrature.hpp"
 #include "sim/trace/route_collector.hpp"
@@ -201,7 +202,9 @@ Scatter trace(const Target& target, const AntennaSet& antennas, const TraceSetti
                                  tracer.add({number, mirrors, rx});
                          }
                      });
-    return routes.take();
+    Scatter scatter = routes.take();
+    if (settings.edge_currents) scatter.edges = trace_edges(target, antennas, settings);
+    return scatter;
 }
 
 }  // namespace specula

@@ -11,6 +11,7 @@ struct TraceSettings {
     double highest_hz = 0.0;   ///< the sums are good up to here
     double accuracy_db = 0.1;  ///< of the sums against the converged integrals, 1e-6 to 3
     int max_bounces = 3;       ///< surfaces a wave may meet, 1 to 4
+    bool edge_currents = false;  ///< add what free edges radiate beyond physical optics
 };
 
 /// What a radar sees of a target, ready to be summed at any frequency up to `highest_hz`.
@@ -19,7 +20,7 @@ struct TraceSettings {
 /// the accuracy need; where antennas see only part of a patch, it is cut smaller. Waves reach a
 /// surface straight, over flat faces (images of the TX, exact for spherical waves), and through
 /// sheets.
-/// @eq PHYSICS.md#surface-integral, #quadrature, #images
+/// @eq PHYSICS.md#surface-integral, #quadrature, #images, #edge-currents
 /// Limit: curved faces pass no wave on to other faces; sheets let waves pass straight on.
 Scatter trace(const Target& target, const AntennaSet& antennas, const TraceSettings& settings);
 

@@ -22,6 +22,8 @@ TEST_CASE("[solver] sets accuracy and bounces, each alone", "[solver]") {
     CHECK(solver_of("[solver]\naccuracy_db = 0.01\n").accuracy_db == 0.01);
     CHECK(solver_of("[solver]\naccuracy_db = 0.01\n").max_bounces == 3);
     CHECK(solver_of("[solver]\nmax_bounces = 1\n").max_bounces == 1);
+    CHECK_FALSE(solver_of("").edge_currents);
+    CHECK(solver_of("[solver]\nedge_currents = true\n").edge_currents);
 }
 
 TEST_CASE("a solver that cannot keep its promise is refused", "[solver]") {

@@ -8,6 +8,7 @@
 #include "sim/core/format.hpp"
 #include "sim/dataset/dataset.hpp"
 #include "sim/dataset/fingerprint.hpp"
+#include "sim/limits.hpp"
 #include "sim/link_budget.hpp"
 #include "sim/scene_target.hpp"
 #include "tools/specula/commands.hpp"
@@ -115,6 +116,8 @@ void show_scene(const Scene& scene, const Library& materials) {
     show_matter(scene.sample, "");
     show_objects(scene, materials);
     for (const std::string& warning : scene.warnings) std::printf("warning: %s\n", warning.c_str());
+    for (const std::string& limit : optics_limits(scene, materials))
+        std::printf("warning: %s\n", limit.c_str());
     for (const BandWarning& warning : band_warnings(scene, materials))
         std::printf("extrapolated: %s\n", warning.text().c_str());
     std::printf("the radar %.4g mm above it\n", scene.pose.height_m * 1e3);

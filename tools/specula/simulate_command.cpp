@@ -8,6 +8,7 @@
 #include "sim/core/format.hpp"
 #include "sim/core/version.hpp"
 #include "sim/dataset/dataset.hpp"
+#include "sim/limits.hpp"
 #include "sim/link_budget.hpp"
 #include "sim/parallel.hpp"
 #include "sim/simulate.hpp"
@@ -112,7 +113,11 @@ void simulate_command(const SimulateArguments& arguments, const Catalogue& catal
     for (const BandWarning& warning : band_warnings(scene, catalogue.materials))
         say_warning(warning.text());
     Stream noise({.seed = arguments.seed, .purpose = "thermal noise"});
-    const AdcFrame frame = simulate(scene, catalogue.materials, noise, with_progress);
+    for (const std::string& limit : optics_limits(scene, catalogue.materials)) say_warning(limit);
+    const Channel echo = echo_channel(scene, catalogue.materials, with_progress);
+    for (const std::string& limit : echo_limits(scene, catalogue.materials, echo))
+        say_warning(limit);
+    const AdcFrame frame = record(scene, echo, noise);
     write_dataset(out, dataset_of(scene, frame, arguments, Section::read(arguments.scene)));
 
     const LinkBudget mirror = mirror_budget(scene.radar, scene.pose.height_m);

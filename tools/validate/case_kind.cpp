@@ -56,6 +56,8 @@ const std::map<std::string, ComputePoint> kinds{
     {"R06", trihedral_point},
     {"R07", disc_or_cylinder_point},
     {"U01", path_sum_point},
+    {"W01", conducting_strip_point},
+    {"W02", dielectric_strip_point},
 };
 
 /// In lower case, with a space for whatever is no letter or digit; sentences end in `stop`.

@@ -118,6 +118,11 @@ void Comparison::show(const std::string& name, const std::string& how,
              absolute_error({computed[i], expected[i]}), infinite, unit, false});
 }
 
+void Comparison::show_angle(const std::string& name, const NumberPair& angles_deg) {
+    add({name, angles_deg.computed, angles_deg.expected, wrapped_error(angles_deg, 360.0), infinite,
+         "deg", false});
+}
+
 void Comparison::phases(const std::string& name, std::span<const double> computed_deg,
                         double tolerance_deg) {
     if (!wants(name)) return;

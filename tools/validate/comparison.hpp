@@ -89,9 +89,12 @@ class Comparison {
 
     /// What follows is only shown.
     void not_judged() { judged_ = false; }
+    void judged_again() { judged_ = true; }
     /// Other values for a list of the case, only shown, under "name (how)".
     void show(const std::string& name, const std::string& how, std::span<const double> computed,
               const std::string& unit);
+    /// Two angles in degrees, only shown.
+    void show_angle(const std::string& name, const NumberPair& angles_deg);
 
     std::vector<Quantity> finish() const;
 

@@ -57,4 +57,8 @@ std::vector<Quantity> trihedral_point(const CasePoint& point);
 std::vector<Quantity> disc_or_cylinder_point(const CasePoint& point);
 std::vector<Quantity> path_sum_point(const CasePoint& point);
 
+// Full wave
+std::vector<Quantity> conducting_strip_point(const CasePoint& point);
+std::vector<Quantity> dielectric_strip_point(const CasePoint& point);
+
 }  // namespace specula

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "sim/trace/trace.hpp"
+
+namespace specula {
+
+/// What the free edges of every body radiate, where TX and RX see the edge from the same side and
+/// nothing stands between: straight ways only, neither over mirrors nor through sheets.
+/// @eq PHYSICS.md#edge-currents
+std::vector<EdgeScatter> trace_edges(const Target& target, const AntennaSet& antennas,
+                                     const TraceSettings& settings);
+
+}  // namespace specula
