@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -13,6 +14,7 @@
 #include "tools/specula/commands.hpp"
 #include "tools/specula/show_material.hpp"
 #include "tools/study/experiment.hpp"
+#include "tools/sweep/sweep_table.hpp"
 
 namespace specula {
 
@@ -44,7 +46,23 @@ void show_radar(const Radar& radar, double height_m) {
                 radar.adc_full_scale_lsb());
 }
 
+void show_sweep(const fs::path& file) {
+    const StoredSweep sweep = read_sweep_hdf5(file);
+    std::printf("%s: %s, %zu rows\nradar %s, version %s\nspecimens: ", file.c_str(),
+                sweep.title.c_str(), sweep.columns.front().values.size(), sweep.radar.c_str(),
+                sweep.version.c_str());
+    for (std::size_t i = 0; i < sweep.specimens.size(); ++i)
+        std::printf("%s%s", i > 0 ? "; " : "", sweep.specimens[i].c_str());
+    std::printf("\n\n%-20s %12s %12s  %-5s %s\n", "column", "least", "most", "unit", "meaning");
+    for (const SweepColumn& column : sweep.columns) {
+        const auto [least, most] = std::minmax_element(column.values.begin(), column.values.end());
+        std::printf("%-20s %12.5g %12.5g  %-5s %s\n", column.name.c_str(), *least, *most,
+                    column.unit.c_str(), column.meaning.c_str());
+    }
+}
+
 void show_dataset(const fs::path& file) {
+    if (is_sweep_hdf5(file)) return show_sweep(file);
     const Dataset dataset = read_dataset(file);
     std::printf("%s: %zu frames x %d chirps x %d RX x %d samples\n", file.c_str(),
                 dataset.n_frames(), dataset.n_chirps, dataset.n_rx, dataset.n_samples);
@@ -137,10 +155,36 @@ void show_experiment(const Experiment& experiment) {
     for (const Condition& condition : experiment.conditions) line(condition);
 }
 
+void show_plan(const SweepPlan& plan) {
+    std::printf("%s\n\n%zu rows: %zu specimens x %zu sizes x %zu ways to tilt x %zu heights x %zu "
+                "tilts x %zu frequencies\n",
+                plan.title.c_str(), plan.n_rows(), plan.specimens.size(), plan.sizes_m.size(),
+                plan.tiltings.size(), plan.heights_m.size(), plan.tilts_rad.size(),
+                plan.n_frequencies());
+    for (const Specimen& specimen : plan.specimens)
+        std::printf("  %-28s %8.4g mm, roughness %.4g um rms\n", specimen.label.c_str(),
+                    specimen.sample.thickness_m * 1e3, specimen.sample.roughness_m * 1e6);
+}
+
+/// Refuses a name that is of another kind than the one written before it, as in "material plexiglass".
+void check_kind(const ShowArguments& arguments, const Catalogue& catalogue) {
+    const std::vector<std::string> known = arguments.kind == "material" ? catalogue.materials.names()
+                                           : arguments.kind == "radar"  ? catalogue.radar_names()
+                                           : arguments.kind == "sweep"  ? catalogue.sweep_names()
+                                                                : catalogue.experiment_names();
+    const bool is_file = !fs::path(arguments.what).extension().empty();
+    if (is_file || std::find(known.begin(), known.end(), arguments.what) != known.end()) return;
+    const std::string near = nearest_word(arguments.what, known);
+    throw InputError(format("\"{}\": no such {}; {}", arguments.what, arguments.kind,
+                            near.empty() ? "see specula list " + arguments.kind + "s"
+                                         : "did you mean " + near + "?"));
+}
+
 }  // namespace
 
 void show_command(const ShowArguments& arguments, const Catalogue& catalogue) {
     const std::string& what = arguments.what;
+    if (!arguments.kind.empty()) check_kind(arguments, catalogue);
     const fs::path path = what;
     const auto show = [&](const Material& material) { show_material(material, arguments.figure); };
     if (path.extension() == ".h5") return show_dataset(path);
@@ -148,6 +192,7 @@ void show_command(const ShowArguments& arguments, const Catalogue& catalogue) {
         Section section = Section::read(path);
         if (section.has("training")) return show_experiment(read_experiment(path, catalogue));
         if (section.has("chirp")) return show_radar(read_radar(path), usual_height_m);
+        if (section.has("scene")) return show_plan(read_sweep_plan(path, {}, catalogue));
         if (section.has("model")) return show(read_material(path, catalogue.materials.lookup()));
         return show_scene(read_scene(path, catalogue), catalogue.materials);
     }
@@ -158,9 +203,13 @@ void show_command(const ShowArguments& arguments, const Catalogue& catalogue) {
                           usual_height_m);
     if (std::find(experiments.begin(), experiments.end(), what) != experiments.end())
         return show_experiment(read_experiment(catalogue.experiment_file(what), catalogue));
+    const auto sweeps = catalogue.sweep_names();
+    if (std::find(sweeps.begin(), sweeps.end(), what) != sweeps.end())
+        return show_plan(read_sweep_plan(catalogue.sweep_file(what), {}, catalogue));
     std::vector<std::string> known = catalogue.materials.names();
     known.insert(known.end(), radars.begin(), radars.end());
     known.insert(known.end(), experiments.begin(), experiments.end());
+    known.insert(known.end(), sweeps.begin(), sweeps.end());
     const std::string near = nearest_word(what, known);
     throw InputError(format("\"{}\": nothing of that name; {}", what,
                             near.empty() ? "see specula list materials, list radars and list "
