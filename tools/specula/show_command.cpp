@@ -10,6 +10,7 @@
 #include "sim/dataset/dataset.hpp"
 #include "sim/dataset/fingerprint.hpp"
 #include "sim/link_budget.hpp"
+#include "sim/mirror_foot.hpp"
 #include "sim/scene_target.hpp"
 #include "tools/specula/commands.hpp"
 #include "tools/specula/show_material.hpp"
@@ -93,6 +94,22 @@ void show_tilt(const char* what, const Pose::Tilt& tilt) {
                 tilt.about_y_rad * 180.0 / pi, tilt.about_x_rad * 180.0 / pi);
 }
 
+/// Why a tilt or a height changes the echo, or does not.
+void show_foot(const Scene& scene) {
+    const Chirp& chirp = scene.radar.chirp;
+    const MirrorFoot foot = mirror_foot(scene.pose, scene.sample.face, chirp.centre_hz());
+    const double margin = foot.margin(scene.sample.face);
+    std::printf("mirror's foot %.4g, %.4g mm from the centre of the face, Fresnel zone %.3g mm: %s\n",
+                foot.x_m * 1e3, foot.y_m * 1e3, foot.fresnel_radius_m * 1e3,
+                margin < -1.0  ? "it has left the sample"
+                : margin < 1.0 ? "the rim cuts it"
+                               : "well inside the sample");
+    std::printf("  a sample of %.4g mm would just hold it; range %.5g mm, bin %.2f\n",
+                foot.critical_size_m * 1e3, foot.range_m * 1e3, chirp.bin_of(foot.range_m));
+    if (foot.divergence_db != 0.0)
+        std::printf("  the bow alone changes the echo by %.2f dB\n", foot.divergence_db);
+}
+
 /// What a piece is made of and how large it is.
 void show_matter(const Sample& sample, const char* how_opaque) {
     if (sample.mesh)
@@ -138,6 +155,7 @@ void show_scene(const Scene& scene, const Library& materials) {
     std::printf("the radar %.4g mm above it\n", scene.pose.height_m * 1e3);
     show_tilt("sensor", scene.pose.sensor);
     show_tilt("sample", scene.pose.sample);
+    if (!scene.sample.mesh) show_foot(scene);
     std::printf("accuracy %.4g dB, up to %d bounces\n\n", scene.solver.accuracy_db,
                 scene.solver.max_bounces);
     show_radar(scene.radar, scene.pose.height_m);
