@@ -40,14 +40,20 @@ FrequencyBand used_band(const SweepPlan& plan) {
 
 void warn(const SweepPlan& plan, const Library& materials) {
     std::vector<std::string> said;
-    for (const Specimen& specimen : plan.specimens)
-        for (const BandWarning& warning :
-             band_warnings(specimen.sample, materials, used_band(plan)))
-            if (const std::string text = warning.text();
-                std::find(said.begin(), said.end(), text) == said.end()) {
-                said.push_back(text);
-                say_warning(text);
-            }
+    const auto say = [&](const std::string& text) {
+        if (std::find(said.begin(), said.end(), text) != said.end()) return;
+        said.push_back(text);
+        say_warning(text);
+    };
+    const FrequencyBand used = used_band(plan);
+    for (const std::string& warning : plan.scene.warnings) say(warning);
+    for (const Specimen& specimen : plan.specimens) {
+        for (const BandWarning& warning : band_warnings(specimen.sample, materials, used))
+            say(warning.text());
+        if (plan.scene.solver.roughness == Solver::Roughness::coherent) continue;
+        for (const std::string& warning : roughness_warnings(specimen.sample, used))
+            say(specimen.label + ": " + warning);
+    }
 }
 
 /// What the levels of one specimen, size and tilting run through.

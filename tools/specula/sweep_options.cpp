@@ -26,6 +26,8 @@ void add_axes(CLI::App& command, SweepAxes& axes) {
     command.add_option("--thickness", axes.thickness, "mm")->type_name("MM|A:B:STEP");
     command.add_option("--roughness", axes.roughness, "micrometres rms")
         ->type_name("UM|A:B:STEP");
+    command.add_option("--correlation", axes.correlation, "mm, of the rough face's heights")
+        ->type_name("MM|A:B:STEP");
     command
         .add_option("--plot", axes.plot,
                     "what is drawn: received_dbm, over_mirror_db, over_untilted_db, "

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "firmware/fw_extract.h"
-#include "sim/channel/reflector.hpp"
+#include "sim/channel/diffuse_power.hpp"
 #include "sim/clutter.hpp"
 #include "sim/parallel.hpp"
+#include "sim/scene_target.hpp"
 #include "sim/signal/dechirp.hpp"
+#include "sim/speckle_echo.hpp"
 #include "sim/trace/trace.hpp"
 #include "tools/sweep/echo_profile.hpp"
 #include "tools/sweep/sweep_geometry.hpp"
@@ -18,8 +21,9 @@ namespace {
 
 /// What one specimen returns in one geometry.
 struct Measured {
-    std::vector<double> power;  ///< (frequency) |h|^2; or its mean over the chirp alone
-    EchoProfile profile{};      ///< without --freq
+    std::vector<double> power;    ///< (frequency) |h|^2; or its mean over the chirp alone
+    std::vector<double> diffuse;  ///< as long: the part of it that is a mean over rough pieces
+    EchoProfile profile{};        ///< of the coherent echo, without --freq
 };
 
 /// The frequencies of the sums, and from which of them on they count.
@@ -71,21 +75,82 @@ std::vector<double> mirror_power(const SweepPlan& plan, const SweptComb& swept, 
     return as_rows(power, plan);
 }
 
+/// The same for a power at every RX and frequency.
+std::vector<double> power_of(const std::vector<double>& values, const Channel& like, int first) {
+    const auto n_f = static_cast<std::size_t>(like.n_frequencies);
+    const auto n_rx = static_cast<std::size_t>(like.n_rx), skipped = static_cast<std::size_t>(first);
+    std::vector<double> power(n_f - skipped, 0.0);
+    if (values.empty()) return power;
+    for (std::size_t rx = 0; rx < n_rx; ++rx)
+        for (std::size_t i = 0; i < power.size(); ++i)
+            power[i] += values[rx * n_f + skipped + i] / static_cast<double>(n_rx);
+    return power;
+}
+
+/// A scene with its bodies in place, traced.
+struct Traced {
+    Target target;
+    AntennaSet antennas;
+    Scatter scatter;
+
+    Traced(const Scene& scene, std::span<const Reflector> reflectors, double highest_hz)
+        : target(target_of(scene, reflectors)),
+          antennas(antennas_of(scene.radar, radar_placement(scene.pose))),
+          scatter(trace(target, antennas,
+                        {.highest_hz = highest_hz,
+                         .accuracy_db = scene.solver.accuracy_db,
+                         .max_bounces = scene.solver.max_bounces})) {}
+};
+
+/// What the rough faces scatter, mean over all pieces, (rx, frequency); empty where it is nothing.
+std::vector<double> diffuse_power(const Scene& scene, const Traced& traced,
+                                  std::span<const Reflector> reflectors,
+                                  const FrequencyComb& comb) {
+    std::vector<double> sum;
+    if (scene.solver.roughness == Solver::Roughness::coherent) return sum;
+    for (std::size_t body = 0; body < reflectors.size(); ++body)
+        for (const RoughLayer& layer : rough_layers({static_cast<int>(body), reflectors[body]}, comb,
+                                                    scene.solver.accuracy_db)) {
+            const auto power = mean_diffuse_power(
+                diffuse_cells(traced.target, traced.antennas, layer), reflectors, comb);
+            sum.resize(power.size(), 0.0);
+            for (std::size_t i = 0; i < power.size(); ++i) sum[i] += power[i];
+        }
+    return sum;
+}
+
+/// Specimens that look alike to rays share a trace: all of them where nothing lies behind the
+/// sample, else those through which nothing comes, and sheets of one thickness.
+double look_of(const Scene& scene, const Reflector& reflector) {
+    if (scene.objects.empty() ||
+        is_opaque(scene.sample, reflector, scene.radar.chirp.centre_hz()))
+        return 0.0;
+    return scene.sample.thickness_m;
+}
+
 std::vector<Measured> measure(const SweepPlan& plan, const Library& materials,
                               const SweptComb& swept, const SweepGeometry& geometry) {
-    const Scene& scene = plan.scene;
-    const Pose pose = geometry.pose(scene.pose);
-    const Target target(
-        {plate_body(geometry.face(scene.sample.face), sample_placement(pose), true, 0.0)});
-    const Scatter scatter = trace(target, antennas_of(scene.radar, radar_placement(pose)),
-                                  {.highest_hz = swept.comb.last_hz(),
-                                   .accuracy_db = scene.solver.accuracy_db,
-                                   .max_bounces = scene.solver.max_bounces});
+    Scene scene = plan.scene;
+    scene.pose = geometry.pose(plan.scene.pose);
+    std::map<double, Traced> traced;  // (look)
     std::vector<Measured> all;
     for (const Specimen& specimen : plan.specimens) {
-        const Reflector reflectors[] = {reflector_of(specimen.sample, materials, pose.yaw_rad)};
-        const Channel channel = channel_of(scatter, reflectors, swept.comb);
-        Measured measured{as_rows(power_of(channel, swept.first_counted), plan)};
+        scene.sample = specimen.sample;
+        if (!scene.sample.mesh) scene.sample.face = geometry.face(plan.scene.sample.face);
+        const auto reflectors = reflectors_of(scene, materials);
+        const double look = look_of(scene, reflectors[0]);
+        const auto found = traced.find(look);
+        const Traced& stage =
+            found != traced.end()
+                ? found->second
+                : traced.try_emplace(look, scene, reflectors, swept.comb.last_hz()).first->second;
+        const Channel channel = channel_of(stage.scatter, reflectors, swept.comb);
+        const auto diffuse =
+            power_of(diffuse_power(scene, stage, reflectors, swept.comb), channel,
+                     swept.first_counted);
+        std::vector<double> power = power_of(channel, swept.first_counted);
+        for (std::size_t i = 0; i < power.size(); ++i) power[i] += diffuse[i];
+        Measured measured{as_rows(std::move(power), plan), as_rows(diffuse, plan)};
         if (plan.frequencies_hz.empty()) measured.profile = echo_profile(channel, scene.radar);
         all.push_back(std::move(measured));
     }
@@ -142,6 +207,7 @@ Sweep run_sweep(const SweepPlan& plan, const Library& materials, int threads,
                 sweep.rows.push_back(
                     {.at = at,
                      .level_db = decibels(own.power[f]),
+                     .diffuse_db = decibels(own.diffuse[f]),
                      .over_mirror_db = ratio_db(own.power[f], mirror[f]),
                      .over_untilted_db = ratio_db(own.power[f], of(untilted(geometry)).power[f]),
                      .over_nominal_db =

@@ -12,7 +12,8 @@ inline constexpr double darkest_db = -300.0;
 /// What comes back at one point of the grid.
 struct SweepRow {
     SweepIndex at;
-    double level_db = darkest_db;          ///< |h|^2, mean over RX and, without --freq, the chirp
+    double level_db = darkest_db;          ///< |h|^2, mean over RX, pieces and, without --freq, chirp
+    double diffuse_db = darkest_db;        ///< part of it that rough faces scatter
     double over_mirror_db = darkest_db;    ///< over an infinite mirror at the same height
     double over_untilted_db = darkest_db;  ///< over the same specimen untilted
     double over_nominal_db = darkest_db;   ///< over the same untilted at the scene's height
@@ -34,10 +35,11 @@ std::size_t n_traces(const SweepPlan& plan);
 
 /// Simulates the whole grid, every geometry once for all specimens.
 ///
-/// The levels are those of the surface integral with the coefficients of each specimen; no
+/// The levels are those of the surface integral with the coefficients of each specimen, and of the
+/// speckle of rough faces in the mean over all pieces; the range bins are of the coherent echo. No
 /// electronics but the window and the transform. The same numbers for any number of threads.
 /// @in  done  counted up once per trace
-/// @eq  PHYSICS.md#surface-integral, #image-source
+/// @eq  PHYSICS.md#surface-integral, #speckle, #image-source
 Sweep run_sweep(const SweepPlan& plan, const Library& materials, int threads,
                 std::atomic<std::size_t>& done);
 

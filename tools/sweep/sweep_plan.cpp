@@ -111,6 +111,8 @@ void read_geometry(AxisSource& source, const SweepAxes& axes, SweepPlan& plan) {
                              "choose heights the radar sees, or another radar");
     }
     if (const auto axis = source.find("--size", axes.size, "size_mm")) {
+        if (plan.scene.sample.mesh)
+            axis->refuse("the sample is a mesh, whose size is in its file", "remove the sizes");
         plan.sizes_m.clear();
         for (const double size_m : values_of(*axis, {"mm", 0.0, 1e4, true}, 1e-3))
             plan.sizes_m.push_back({size_m, size_m});
@@ -135,15 +137,17 @@ void read_specimens(const SweepAxes& axes, const Catalogue& catalogue, SweepPlan
     const auto material = arguments.find("--material", axes.material, "");
     const auto thickness = arguments.find("--thickness", axes.thickness, "");
     const auto roughness = arguments.find("--roughness", axes.roughness, "");
-    if (!material && !thickness && !roughness) return;
+    const auto correlation = arguments.find("--correlation", axes.correlation, "");
+    if (!material && !thickness && !roughness && !correlation) return;
     Sample usual = plan.scene.sample;
-    for (const auto& axis : {material, thickness, roughness})
+    for (const auto& axis : {material, thickness, roughness, correlation})
         if (axis && !usual.layers.empty() && !(material && thickness))
             axis->refuse("the scene's sample has layers",
                          "give --material and --thickness, or edit the layers in a scene file");
     if (material) usual.layers.clear();
     std::vector<std::string> materials{usual.material};
     std::vector<double> thicknesses_m{usual.thickness_m}, roughnesses_m{usual.roughness_m};
+    std::vector<double> correlations_m{usual.correlation_m};
     if (material) {
         materials = read_words(material->text, material->refuse);
         for (const std::string& name : materials)
@@ -151,18 +155,23 @@ void read_specimens(const SweepAxes& axes, const Catalogue& catalogue, SweepPlan
     }
     if (thickness) thicknesses_m = values_of(*thickness, {"mm", 0.0, 1e3, true}, 1e-3);
     if (roughness) roughnesses_m = values_of(*roughness, {"um", 0.0, 2e3}, 1e-6);
+    if (correlation) correlations_m = values_of(*correlation, {"mm", 0.01, 1e2}, 1e-3);
     plan.specimens.clear();
     for (const std::string& name : materials)
         for (const double thickness_m : thicknesses_m)
-            for (const double roughness_m : roughnesses_m) {
-                Specimen specimen{name, usual};
-                specimen.sample.material = name;
-                specimen.sample.thickness_m = thickness_m;
-                specimen.sample.roughness_m = roughness_m;
-                if (thickness) specimen.label += format(", {:g} mm", thickness_m * 1e3);
-                if (roughness) specimen.label += format(", rough {:g} \u00b5m", roughness_m * 1e6);
-                plan.specimens.push_back(std::move(specimen));
-            }
+            for (const double roughness_m : roughnesses_m)
+                for (const double correlation_m : correlations_m) {
+                    Specimen specimen{name, usual};
+                    Sample& sample = specimen.sample;
+                    sample.material = name;
+                    sample.thickness_m = thickness_m;
+                    sample.roughness_m = roughness_m;
+                    sample.correlation_m = correlation_m;
+                    if (thickness) specimen.label += format(", {:g} mm", thickness_m * 1e3);
+                    if (roughness) specimen.label += format(", rms {:g} \u00b5m", roughness_m * 1e6);
+                    if (correlation) specimen.label += format(", over {:g} mm", correlation_m * 1e3);
+                    plan.specimens.push_back(std::move(specimen));
+                }
 }
 
 void read_file_specimens(Section& file, const Catalogue& catalogue, SweepPlan& plan) {

@@ -65,7 +65,7 @@ struct SweepIndex {
 /// micrometres (roughness).
 struct SweepAxes {
     std::string tilt{}, tilted{}, tilt_plane{}, height{}, frequency{};
-    std::string material{}, size{}, thickness{}, roughness{}, plot{};
+    std::string material{}, size{}, thickness{}, roughness{}, correlation{}, plot{};
 };
 
 /// Reads a scene file, or a sweep file (keys: scenes/README.md), with the axes given beside it.

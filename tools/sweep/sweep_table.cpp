@@ -38,6 +38,10 @@ void add_setting(std::vector<SweepColumn>& columns, const Sweep& sweep) {
         [&](const SweepRow& r) {
             return p.specimens[r.at.specimen].sample.roughness_m * 1e6;
         });
+    add(columns, sweep, {"correlation_mm", "mm", "correlation length of these heights", {}},
+        [&](const SweepRow& r) {
+            return p.specimens[r.at.specimen].sample.correlation_m * 1e3;
+        });
     add(columns, sweep, {"size_x_mm", "mm", "length of the sample in azimuth", {}},
         [&](const SweepRow& r) { return p.sizes_m[r.at.size][0] * 1e3; });
     add(columns, sweep, {"size_y_mm", "mm", "length of the sample in elevation", {}},
@@ -61,6 +65,8 @@ void add_levels(std::vector<SweepColumn>& columns, const Sweep& sweep) {
         sweep.plan.frequencies_hz.empty() ? ", mean over RX and chirp" : ", mean over RX";
     add(columns, sweep, {"level_db", "dB", "received over transmitted power" + mean, {}},
         [](const SweepRow& r) { return r.level_db; });
+    add(columns, sweep, {"diffuse_db", "dB", "the part of it that rough faces scatter", {}},
+        [](const SweepRow& r) { return r.diffuse_db; });
     add(columns, sweep, {"received_dbm", "dBm", "power at the RX port" + mean, {}},
         [&](const SweepRow& r) { return r.level_db + radar.tx_power_dbm; });
     add(columns, sweep,
@@ -85,7 +91,7 @@ void add_bins(std::vector<SweepColumn>& columns, const Sweep& sweep) {
     for (std::size_t i = 0; i < sweep.rows.front().bin_lsb.size(); ++i)
         add(columns, sweep,
             {format("bin_{:02}_lsb", FW_DEFAULT_FIRST_BIN + i), "LSB",
-             "mean magnitude over the RX in this bin, echo alone", {}},
+             "mean magnitude over the RX in this bin, coherent echo alone", {}},
             [i](const SweepRow& r) { return r.bin_lsb[i]; });
 }
 
