@@ -40,6 +40,15 @@ fs::path Catalogue::experiment_file(const std::string& name) const {
     return root / "scenes/experiments" / (name + ".toml");
 }
 
+std::vector<std::string> Catalogue::sweep_names() const {
+    const fs::path folder = root / "scenes/sweeps";
+    return fs::is_directory(folder) ? stems(folder) : std::vector<std::string>{};
+}
+
+fs::path Catalogue::sweep_file(const std::string& name) const {
+    return root / "scenes/sweeps" / (name + ".toml");
+}
+
 Radar Catalogue::radar(Section& section, const std::string& key) const {
     const std::string name = section.text(key);
     if (fs::path(name).extension() == ".toml") {

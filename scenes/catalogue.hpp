@@ -9,7 +9,7 @@
 
 namespace specula {
 
-/// What the program knows by name: materials, radars and experiments below one root folder.
+/// What the program knows by name: materials, radars, experiments and sweeps below one root folder.
 struct Catalogue {
     std::filesystem::path root;  ///< holds materials/library, scenes/radars, scenes/experiments
     Library materials;
@@ -19,6 +19,8 @@ struct Catalogue {
     std::vector<std::string> radar_names() const;
     std::vector<std::string> experiment_names() const;
     std::filesystem::path experiment_file(const std::string& name) const;
+    std::vector<std::string> sweep_names() const;  ///< none where there is no scenes/sweeps
+    std::filesystem::path sweep_file(const std::string& name) const;
 
     /// The radar that `section.<key>` names: one of the catalogue, or a file beside the section's.
     Radar radar(Section& section, const std::string& key) const;

@@ -20,6 +20,7 @@ double Chirp::bandwidth_hz() const {
     return slope_hz_s * n_samples / sample_rate_hz;
 }
 
+/// @eq PHYSICS.md#bin-shift
 double Chirp::bin_m() const {
     return speed_of_light_m_s / (2.0 * bandwidth_hz());
 }

@@ -18,9 +18,11 @@ struct TeTm {
 
 /// The currents' coefficients of a body struck from the front or from behind. From behind, the
 /// stack is turned over and its face lies nearer by its thickness.
+/// @eq PHYSICS.md#sheets
 TeTm reflection_of(const Stack& stack, double cos_incidence, bool from_behind);
 
 /// The factor of a wave that passes a sheet, over what the same way in air would give.
+/// @eq PHYSICS.md#sheets
 TeTm transmission_of(const Stack& stack, double cos_incidence);
 
 TeTm coefficients_of(const Event& event, const Stack& stack, double cos_incidence);

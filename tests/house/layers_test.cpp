@@ -15,7 +15,7 @@ const std::vector<std::vector<std::string>> order{
     {"firmware"},    {"sim/core"},    {"materials"},  {"scenes"},
     {"sim/trace"},   {"sim/channel"}, {"sim/signal"}, {"sim/adc"},
     {"sim/dataset"}, {"sim"},         {"classifier"},
-    {"tools/report", "tools/study", "tools/validate"},
+    {"tools/report", "tools/study", "tools/sweep", "tools/validate"},
     {"tools"},
 };
 

@@ -55,6 +55,17 @@ Paragraph radar_facts(const StudySummary& study) {
     return {.lead = {}, .text = text};
 }
 
+/// What the results rest on that is not known to hold.
+std::vector<Paragraph> known_limits(const StudySummary& study) {
+    std::vector<Paragraph> paragraphs{
+        {.lead = {},
+         .text = "These numbers were used outside the range that their sources give for them; the "
+                 "results rest on them all the same."}};
+    for (const std::string& warning : study.warnings)
+        paragraphs.push_back({.lead = {}, .text = warning});
+    return paragraphs;
+}
+
 std::vector<ReportFigure> figures_at(const std::vector<DrawnStudyFigure>& figures,
                                      FigurePlace place) {
     std::vector<ReportFigure> chosen;
@@ -117,6 +128,8 @@ ReportPage study_page(const StudySummary& study, const std::vector<DrawnStudyFig
          radar.text.empty() ? std::vector<Paragraph>{} : std::vector{radar},
          {monitor_table(study)},
          figures_at(figures, FigurePlace::drift)}};
+    if (!study.warnings.empty())
+        page.sections.push_back({"Beyond what is known", known_limits(study), {}, {}});
     return page;
 }
 

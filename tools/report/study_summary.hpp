@@ -58,6 +58,7 @@ struct StudySummary {
     std::string merged_label;                 ///< for people, e.g. "iron and aluminium merged"
     RadarFacts radar;
     std::optional<Calibration> calibration;
+    std::vector<std::string> warnings;  ///< where numbers are used beyond what they are known for
 
     std::uint64_t seed = 0;
     std::string version;                                            ///< of the program

@@ -1,6 +1,7 @@
 #include "tools/specula/command_line.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <csignal>
@@ -15,6 +16,7 @@
 #include "tools/console/console.hpp"
 #include "tools/specula/commands.hpp"
 #include "tools/specula/home.hpp"
+#include "tools/specula/sweep_options.hpp"
 
 namespace specula {
 
@@ -86,18 +88,33 @@ void add_simulate(CLI::App& program, SimulateArguments& arguments) {
         ->capture_default_str();
 }
 
-void add_show(CLI::App& program, ShowArguments& arguments) {
+void add_show(CLI::App& program, std::vector<std::string>& words, ShowArguments& arguments) {
     CLI::App* command = add_command(
         program, "show", "Explain a material, a radar, an experiment, a scene or a dataset",
-        "specula show plexiglass --figure /tmp/figures\n"
+        "specula show material plexiglass --figure /tmp/figures\n"
         "  specula show out/paper/datasets/height.h5");
     command
-        ->add_option("NAME", arguments.what, "a name (specula list), a .toml file or a .h5 dataset")
-        ->required();
+        ->add_option("NAME", words,
+                     "a name (specula list), a .toml file or a .h5 file; the kind may stand before "
+                     "it: material, radar, experiment, sweep")
+        ->required()
+        ->expected(1, 2);
     command
         ->add_option("--figure", arguments.figure,
                      "draw what a material reflects there, as SVG, PNG and CSV")
         ->type_name("FOLDER");
+}
+
+/// "plexiglass", or with its kind before it: "material plexiglass".
+ShowArguments with_words(ShowArguments arguments, const std::vector<std::string>& words) {
+    arguments.what = words.back();
+    if (words.size() == 1) return arguments;
+    const std::vector<std::string> kinds{"material", "radar", "experiment", "sweep"};
+    arguments.kind = words.front();
+    if (std::find(kinds.begin(), kinds.end(), arguments.kind) == kinds.end())
+        throw InputError(format("\"{}\": no kind of thing to show; use {} before a name",
+                                arguments.kind, quoted_list(kinds)));
+    return arguments;
 }
 
 void add_validate(CLI::App& program, ValidateArguments& arguments) {
@@ -164,15 +181,19 @@ int run_program(int argc, char** argv) {
     SimulateArguments simulate;
     add_simulate(program, simulate);
     ShowArguments show;
-    add_show(program, show);
+    std::vector<std::string> shown;
+    add_show(program, shown, show);
+    SweepArguments sweep;
+    sweep.threads = available_threads();
+    add_sweep_options(*add_command(program, "sweep", sweep_purpose, sweep_example), sweep);
     ValidateArguments validation;
     validation.threads = available_threads();
     add_validate(program, validation);
     std::string listed, shell = "bash";
     add_command(program, "list", "List what is known by name", "specula list materials")
-        ->add_option("KIND", listed, "materials, radars or experiments")
+        ->add_option("KIND", listed, "materials, radars, experiments or sweeps")
         ->required()
-        ->check(CLI::IsMember({"materials", "radars", "experiments"}).description(""));
+        ->check(CLI::IsMember({"materials", "radars", "experiments", "sweeps"}).description(""));
     add_command(program, "completion", "Print a completion script for a shell",
                 "eval \"$(specula completion bash)\"")
         ->add_option("SHELL", shell, "bash or zsh")
@@ -192,9 +213,10 @@ int run_program(int argc, char** argv) {
             const Catalogue catalogue = Catalogue::open(home_folder());
             if (command == "study") study_command(study, catalogue);
             if (command == "simulate") simulate_command(simulate, catalogue);
+            if (command == "sweep") sweep_command(sweep, catalogue);
             if (command == "validate") status = validate_command(validation, catalogue);
             if (command == "list") list_command(listed, catalogue);
-            if (command == "show") show_command(show, catalogue);
+            if (command == "show") show_command(with_words(show, shown), catalogue);
         }
         flush_output();
         return status;

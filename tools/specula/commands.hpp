@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scenes/catalogue.hpp"
+#include "tools/sweep/sweep_plan.hpp"
 
 namespace specula {
 
@@ -28,6 +29,14 @@ struct SimulateArguments {
 };
 void simulate_command(const SimulateArguments& arguments, const Catalogue& catalogue);
 
+struct SweepArguments {
+    std::string what;           ///< a scene or sweep file (.toml), or a sweep of the catalogue
+    SweepAxes axes;             ///< as written
+    std::filesystem::path out;  ///< folder; empty: out/sweep/<name>
+    int threads = 1;
+};
+void sweep_command(const SweepArguments& arguments, const Catalogue& catalogue);
+
 struct ValidateArguments {
     std::filesystem::path folder;  ///< of case files, or one of them; empty: the project's own
     std::filesystem::path json;    ///< to write; empty: none
@@ -37,10 +46,11 @@ struct ValidateArguments {
 /// The exit status: 0, 1 where a tolerance is missed, 3 where a case cannot be computed.
 int validate_command(const ValidateArguments& arguments, const Catalogue& catalogue);
 
-/// @in what  "materials", "radars" or "experiments"
+/// @in what  "materials", "radars", "experiments" or "sweeps"
 void list_command(const std::string& what, const Catalogue& catalogue);
 
 struct ShowArguments {
+    std::string kind;              ///< "material", "radar", "experiment", "sweep"; or empty: any
     std::string what;              ///< a name in the catalogue, a .toml file or a dataset (.h5)
     std::filesystem::path figure;  ///< folder for the figure of a material; empty: none
 };

@@ -8,7 +8,7 @@ namespace specula {
 
 namespace {
 
-constexpr const char* name_and_title = "%-16s %s\n";
+constexpr const char* name_and_title = "%-18s %s\n";
 
 constexpr FrequencyBand usual_band{60e9, 60e9};
 
@@ -53,12 +53,21 @@ void list_experiments(const Catalogue& catalogue) {
     }
 }
 
+void list_sweeps(const Catalogue& catalogue) {
+    std::printf(name_and_title, "name", "title");
+    for (const std::string& name : catalogue.sweep_names()) {
+        Section section = Section::read(catalogue.sweep_file(name));
+        std::printf(name_and_title, name.c_str(), section.text("title").c_str());
+    }
+}
+
 }  // namespace
 
 void list_command(const std::string& what, const Catalogue& catalogue) {
     if (what == "materials") list_materials(catalogue);
     if (what == "radars") list_radars(catalogue);
     if (what == "experiments") list_experiments(catalogue);
+    if (what == "sweeps") list_sweeps(catalogue);
 }
 
 }  // namespace specula

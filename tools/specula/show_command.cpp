@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -10,10 +11,12 @@
 #include "sim/dataset/fingerprint.hpp"
 #include "sim/limits.hpp"
 #include "sim/link_budget.hpp"
+#include "sim/mirror_foot.hpp"
 #include "sim/scene_target.hpp"
 #include "tools/specula/commands.hpp"
 #include "tools/specula/show_material.hpp"
 #include "tools/study/experiment.hpp"
+#include "tools/sweep/sweep_table.hpp"
 
 namespace specula {
 
@@ -45,7 +48,23 @@ void show_radar(const Radar& radar, double height_m) {
                 radar.adc_full_scale_lsb());
 }
 
+void show_sweep(const fs::path& file) {
+    const StoredSweep sweep = read_sweep_hdf5(file);
+    std::printf("%s: %s, %zu rows\nradar %s, version %s\nspecimens: ", file.c_str(),
+                sweep.title.c_str(), sweep.columns.front().values.size(), sweep.radar.c_str(),
+                sweep.version.c_str());
+    for (std::size_t i = 0; i < sweep.specimens.size(); ++i)
+        std::printf("%s%s", i > 0 ? "; " : "", sweep.specimens[i].c_str());
+    std::printf("\n\n%-20s %12s %12s  %-5s %s\n", "column", "least", "most", "unit", "meaning");
+    for (const SweepColumn& column : sweep.columns) {
+        const auto [least, most] = std::minmax_element(column.values.begin(), column.values.end());
+        std::printf("%-20s %12.5g %12.5g  %-5s %s\n", column.name.c_str(), *least, *most,
+                    column.unit.c_str(), column.meaning.c_str());
+    }
+}
+
 void show_dataset(const fs::path& file) {
+    if (is_sweep_hdf5(file)) return show_sweep(file);
     const Dataset dataset = read_dataset(file);
     std::printf("%s: %zu frames x %d chirps x %d RX x %d samples\n", file.c_str(),
                 dataset.n_frames(), dataset.n_chirps, dataset.n_rx, dataset.n_samples);
@@ -74,6 +93,22 @@ void show_tilt(const char* what, const Pose::Tilt& tilt) {
     if (tilt.about_x_rad == 0.0 && tilt.about_y_rad == 0.0) return;
     std::printf("%s tilted by %.4g deg in azimuth, %.4g deg in elevation\n", what,
                 tilt.about_y_rad * 180.0 / pi, tilt.about_x_rad * 180.0 / pi);
+}
+
+/// Why a tilt or a height changes the echo, or does not.
+void show_foot(const Scene& scene) {
+    const Chirp& chirp = scene.radar.chirp;
+    const MirrorFoot foot = mirror_foot(scene.pose, scene.sample.face, chirp.centre_hz());
+    const double margin = foot.margin(scene.sample.face);
+    std::printf("mirror's foot %.4g, %.4g mm from the centre of the face, Fresnel zone %.3g mm: %s\n",
+                foot.x_m * 1e3, foot.y_m * 1e3, foot.fresnel_radius_m * 1e3,
+                margin < -1.0  ? "it has left the sample"
+                : margin < 1.0 ? "the rim cuts it"
+                               : "well inside the sample");
+    std::printf("  a sample of %.4g mm would just hold it; range %.5g mm, bin %.2f\n",
+                foot.critical_size_m * 1e3, foot.range_m * 1e3, chirp.bin_of(foot.range_m));
+    if (foot.divergence_db != 0.0)
+        std::printf("  the bow alone changes the echo by %.2f dB\n", foot.divergence_db);
 }
 
 /// What a piece is made of and how large it is.
@@ -123,6 +158,7 @@ void show_scene(const Scene& scene, const Library& materials) {
     std::printf("the radar %.4g mm above it\n", scene.pose.height_m * 1e3);
     show_tilt("sensor", scene.pose.sensor);
     show_tilt("sample", scene.pose.sample);
+    if (!scene.sample.mesh) show_foot(scene);
     std::printf("accuracy %.4g dB, up to %d bounces\n\n", scene.solver.accuracy_db,
                 scene.solver.max_bounces);
     show_radar(scene.radar, scene.pose.height_m);
@@ -140,10 +176,36 @@ void show_experiment(const Experiment& experiment) {
     for (const Condition& condition : experiment.conditions) line(condition);
 }
 
+void show_plan(const SweepPlan& plan) {
+    std::printf("%s\n\n%zu rows: %zu specimens x %zu sizes x %zu ways to tilt x %zu heights x %zu "
+                "tilts x %zu frequencies\n",
+                plan.title.c_str(), plan.n_rows(), plan.specimens.size(), plan.sizes_m.size(),
+                plan.tiltings.size(), plan.heights_m.size(), plan.tilts_rad.size(),
+                plan.n_frequencies());
+    for (const Specimen& specimen : plan.specimens)
+        std::printf("  %-28s %8.4g mm, roughness %.4g um rms\n", specimen.label.c_str(),
+                    specimen.sample.thickness_m * 1e3, specimen.sample.roughness_m * 1e6);
+}
+
+/// Refuses a name that is of another kind than the one written before it, as in "material plexiglass".
+void check_kind(const ShowArguments& arguments, const Catalogue& catalogue) {
+    const std::vector<std::string> known = arguments.kind == "material" ? catalogue.materials.names()
+                                           : arguments.kind == "radar"  ? catalogue.radar_names()
+                                           : arguments.kind == "sweep"  ? catalogue.sweep_names()
+                                                                : catalogue.experiment_names();
+    const bool is_file = !fs::path(arguments.what).extension().empty();
+    if (is_file || std::find(known.begin(), known.end(), arguments.what) != known.end()) return;
+    const std::string near = nearest_word(arguments.what, known);
+    throw InputError(format("\"{}\": no such {}; {}", arguments.what, arguments.kind,
+                            near.empty() ? "see specula list " + arguments.kind + "s"
+                                         : "did you mean " + near + "?"));
+}
+
 }  // namespace
 
 void show_command(const ShowArguments& arguments, const Catalogue& catalogue) {
     const std::string& what = arguments.what;
+    if (!arguments.kind.empty()) check_kind(arguments, catalogue);
     const fs::path path = what;
     const auto show = [&](const Material& material) { show_material(material, arguments.figure); };
     if (path.extension() == ".h5") return show_dataset(path);
@@ -151,6 +213,7 @@ void show_command(const ShowArguments& arguments, const Catalogue& catalogue) {
         Section section = Section::read(path);
         if (section.has("training")) return show_experiment(read_experiment(path, catalogue));
         if (section.has("chirp")) return show_radar(read_radar(path), usual_height_m);
+        if (section.has("scene")) return show_plan(read_sweep_plan(path, {}, catalogue));
         if (section.has("model")) return show(read_material(path, catalogue.materials.lookup()));
         return show_scene(read_scene(path, catalogue), catalogue.materials);
     }
@@ -161,9 +224,13 @@ void show_command(const ShowArguments& arguments, const Catalogue& catalogue) {
                           usual_height_m);
     if (std::find(experiments.begin(), experiments.end(), what) != experiments.end())
         return show_experiment(read_experiment(catalogue.experiment_file(what), catalogue));
+    const auto sweeps = catalogue.sweep_names();
+    if (std::find(sweeps.begin(), sweeps.end(), what) != sweeps.end())
+        return show_plan(read_sweep_plan(catalogue.sweep_file(what), {}, catalogue));
     std::vector<std::string> known = catalogue.materials.names();
     known.insert(known.end(), radars.begin(), radars.end());
     known.insert(known.end(), experiments.begin(), experiments.end());
+    known.insert(known.end(), sweeps.begin(), sweeps.end());
     const std::string near = nearest_word(what, known);
     throw InputError(format("\"{}\": nothing of that name; {}", what,
                             near.empty() ? "see specula list materials, list radars and list "

@@ -22,7 +22,8 @@ constexpr double usual_hz = 60e9;
 constexpr FrequencyBand radar_band{57e9, 64e9};
 
 double level_db(Complex value) {
-    return 20.0 * std::log10(std::abs(value));
+    constexpr double nothing = 1e-10;  // air in air: told as -200 dB
+    return 20.0 * std::log10(std::max(std::abs(value), nothing));
 }
 
 std::string text_of(const Electrics& medium) {
@@ -84,6 +85,21 @@ void show_levels(const Material& material) {
     }
 }
 
+void show_angles(const Material& material) {
+    const int digits = material.is_metal() ? 4 : 2;
+    const Electrics medium = material.at(usual_hz);
+    const Stack half{{}, HalfSpace{medium}, usual_hz};
+    const Stack slab{{{.medium = medium, .thickness_m = 0.005}}, HalfSpace{}, usual_hz};
+    std::printf("\nat 60 GHz, over a mirror, dB\n%8s %14s %14s %14s %14s\n", "deg",
+                "half-space TE", "TM", "slab 5 mm TE", "TM");
+    for (const int incidence_deg : {0, 10, 20, 30, 45, 60, 75, 85}) {
+        const double cosine = std::cos(incidence_deg * pi / 180.0);
+        const Reflection a = stack_reflection(half, cosine), b = stack_reflection(slab, cosine);
+        std::printf("%8d %14.*f %14.*f %14.*f %14.*f\n", incidence_deg, digits, level_db(a.te),
+                    digits, level_db(a.tm), digits, level_db(b.te), digits, level_db(b.tm));
+    }
+}
+
 /// A file stem from a name that came from the user's own file.
 std::string figure_name(const std::string& material) {
     std::string name = "reflection_" + material;
@@ -99,7 +115,11 @@ void show_material(const Material& material, const std::filesystem::path& figure
     show_origin(material);
     show_at_60_ghz(material);
     show_levels(material);
-    if (figure_folder.empty()) return;
+    show_angles(material);
+    if (figure_folder.empty()) {
+        std::printf("\n--figure FOLDER draws this over all frequencies and angles\n");
+        return;
+    }
     const std::string name = figure_name(material.name);
     write_figure(figure_folder, reflection_figure(name, reflection_curves(material)));
     std::printf("\nWrote %s.svg, .png and .csv\n", (figure_folder / name).c_str());

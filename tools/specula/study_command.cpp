@@ -4,6 +4,7 @@
 
 #include "sim/core/error.hpp"
 #include "sim/core/format.hpp"
+#include "tools/console/console.hpp"
 #include "tools/specula/commands.hpp"
 #include "tools/study/study.hpp"
 
@@ -57,6 +58,7 @@ void study_command(const StudyArguments& arguments, const Catalogue& catalogue) 
                       (arguments.seed ? format(" --seed {}", *arguments.seed) : "");
     const StudySummary study = run_study(request, catalogue);
 
+    for (const std::string& warning : study.warnings) say_warning(warning);
     std::printf("%-56s %-22s %-22s %s\n", "macro-F1, percent, with 95 % interval over worlds",
                 "all classes", study.merged_label.c_str(), "paper");
     for (const StudyCondition& condition : study.conditions) {

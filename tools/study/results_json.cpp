@@ -63,6 +63,7 @@ std::string results_json(const StudySummary& summary) {
                 {"range_bin_m", summary.radar.range_bin_m},
                 {"nominal_height_m", summary.radar.nominal_height_m},
                 {"nominal_height_bin", summary.radar.nominal_height_bin}}}};
+    json["warnings"] = summary.warnings;
     for (const auto& [what, hash] : summary.fingerprints) json["fingerprints"][what] = hash;
     for (const StudyCondition& condition : summary.conditions)
         json["conditions"].push_back(condition_json(condition));

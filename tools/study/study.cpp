@@ -1,5 +1,6 @@
 #include "tools/study/study.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "classifier/export_c.hpp"
@@ -104,6 +105,18 @@ RadarFacts facts_of(const Experiment& experiment) {
             .feature_quantity = "amplitude (LSB)"};
 }
 
+/// Of all classes, each once.
+std::vector<std::string> warnings_of(const Experiment& experiment, const Library& materials) {
+    std::vector<std::string> warnings;
+    for (const SampleLaw& law : experiment.population.classes)
+        for (const BandWarning& warning :
+             band_warnings(law.nominal, materials, experiment.radar.chirp.band()))
+            if (const std::string text = warning.text();
+                std::find(warnings.begin(), warnings.end(), text) == warnings.end())
+                warnings.push_back(text);
+    return warnings;
+}
+
 std::vector<Split> split_worlds(const Experiment& experiment, const FeatureTable& recorded,
                                 const RunSettings& run) {
     std::vector<Split> splits;
@@ -175,6 +188,7 @@ StudySummary run_study(const StudyRequest& request, const Catalogue& catalogue) 
     summary.merged_classes = experiment.merged_classes;
     summary.merged_label = merged_label(experiment);
     summary.radar = facts_of(experiment);
+    summary.warnings = warnings_of(experiment, catalogue.materials);
     summary.seed = run.seed;
     summary.version = program_version;
     summary.command = request.command;

@@ -54,6 +54,15 @@ TEST_CASE("the page names every condition and where it all comes from", "[report
         CHECK(html.find(text) != std::string::npos);
 }
 
+TEST_CASE("numbers used beyond what they are known for are told, where there are any", "[report]") {
+    StudySummary study = made_up_study();
+    CHECK(html_report(study_page(study, {})).find("Beyond what is known") == std::string::npos);
+    study.warnings = {"brick: valid from 1 to 40 GHz, used from 58 to 62 GHz"};
+    const std::string html = html_report(study_page(study, {}));
+    CHECK(html.find("Beyond what is known") != std::string::npos);
+    CHECK(html.find("brick: valid from 1 to 40") != std::string::npos);
+}
+
 TEST_CASE("figures of the paper come in its order, under its names", "[report]") {
     std::vector<std::string> names;
     for (const StudyFigure& figure : study_figures(made_up_study()))
