@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "scenes/vector3.hpp"
 #include "tests/tools/validate/made_up_case.hpp"
 #include "tools/validate/formulas/mie_sphere.hpp"
 
