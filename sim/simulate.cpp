@@ -4,6 +4,7 @@
 
 #include "sim/channel/diffuse_power.hpp"
 #include "sim/channel/path.hpp"
+#include "sim/height_field.hpp"
 #include "sim/scene_target.hpp"
 #include "sim/speckle_echo.hpp"
 #include "sim/trace/trace.hpp"
@@ -49,7 +50,9 @@ std::vector<RoughBody> rough_bodies(const Scene& scene, const Stage& stage) {
 
 }  // namespace
 
-Channel echo_channel(const Scene& scene, const Library& materials, const ForEach& for_each) {
+Channel echo_channel(const Scene& asked, const Library& materials, const ForEach& for_each) {
+    const bool explicit_heights = asked.solver.roughness == Solver::Roughness::height_field;
+    const Scene scene = explicit_heights ? with_height_field(asked) : asked;
     const Stage stage(scene, materials);
     Scatter scatter = trace(stage.target, stage.antennas, stage.settings);
     for (const RoughBody& body : rough_bodies(scene, stage))

@@ -10,7 +10,7 @@ namespace specula {
 Channel echo_channel(const Scene& scene, const Library& materials,
                      const ForEach& for_each = one_by_one);
 
-/// An echo without drawing a piece: the mean of |h|^2 over all pieces like the scene's is
+/// An echo without drawing a piece, whatever the solver does with heights: the mean of |h|^2 over all pieces like the scene's is
 /// |coherent|^2 + diffuse_power, at every RX and frequency.
 struct MeanEcho {
     Channel coherent;

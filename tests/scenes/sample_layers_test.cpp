@@ -115,6 +115,7 @@ TEST_CASE("every example scene can be read", "[sample]") {
     int n_layered = 0;
     for (const auto& entry : std::filesystem::directory_iterator(
              std::filesystem::path(SPECULA_SOURCE_DIR) / "scenes/examples")) {
+        if (!is_description(entry.path())) continue;
         INFO(entry.path());
         const Scene scene = read_scene(entry.path(), catalogue());
         CHECK(band_warnings(scene, catalogue().materials).empty());

@@ -21,6 +21,7 @@ material = "plexiglass"
 thickness_mm = { factor = [5.0, 1.04] }
 bow_mm = { uniform = [-0.5, 0.5] }
 permittivity_factor = { normal = [1.0, 0.01] }
+correlation_length_mm = { factor = [2.0, 2.0] }
 
 [[class]]
 name = "board"
