@@ -59,8 +59,8 @@ Paragraph radar_facts(const StudySummary& study) {
 std::vector<Paragraph> known_limits(const StudySummary& study) {
     std::vector<Paragraph> paragraphs{
         {.lead = {},
-         .text = "These numbers were used outside the range that their sources give for them; the "
-                 "results rest on them all the same."}};
+         .text = "Here numbers are used outside the band that their sources give for them, or the theory "
+                 "at the edge of what full-wave solutions confirm."}};
     for (const std::string& warning : study.warnings)
         paragraphs.push_back({.lead = {}, .text = warning});
     return paragraphs;

@@ -4,6 +4,7 @@
 #include "sim/core/atomic_file.hpp"
 #include "sim/core/error.hpp"
 #include "sim/core/format.hpp"
+#include "sim/limits.hpp"
 #include "tools/console/console.hpp"
 #include "tools/report/render_figure.hpp"
 #include "tools/specula/commands.hpp"
@@ -46,8 +47,16 @@ void warn(const SweepPlan& plan, const Library& materials) {
         say_warning(text);
     };
     const FrequencyBand used = used_band(plan);
+    Scene scene = plan.scene;
     for (const std::string& warning : plan.scene.warnings) say(warning);
     for (const Specimen& specimen : plan.specimens) {
+        scene.sample = specimen.sample;
+        for (const auto& [size_x_m, size_y_m] : plan.sizes_m) {
+            scene.sample.face.size_x_m = size_x_m;
+            scene.sample.face.size_y_m = size_y_m;
+            for (const std::string& limit : optics_limits(scene, materials))
+                say(specimen.label + ": " + limit);
+        }
         for (const BandWarning& warning : band_warnings(specimen.sample, materials, used))
             say(warning.text());
         if (plan.scene.solver.roughness == Solver::Roughness::coherent) continue;
@@ -110,6 +119,12 @@ void sweep_command(const SweepArguments& arguments, const Catalogue& catalogue) 
         written += ", " + drawn.figures[i].name + ".svg, .png and .csv";
     }
     print_ranges(sweep);
+    const auto n_weak = std::count_if(sweep.rows.begin(), sweep.rows.end(),
+                                      [](const SweepRow& row) { return row.is_weak; });
+    if (n_weak > 0)
+        say_warning(format("{} of {} levels (is_weak in the table) lie 15 dB or more below a wide "
+                           "sheet's; there optics may be off by 1.5 dB",
+                           n_weak, sweep.rows.size()));
     for (const std::string& remark : drawn.remarks)
         std::printf("%s; the table has them all\n", remark.c_str());
     std::printf("\n%zu rows. Wrote %s in %s\n", sweep.rows.size(), written.c_str(), out.c_str());

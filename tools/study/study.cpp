@@ -10,6 +10,7 @@
 #include "sim/core/format.hpp"
 #include "sim/core/version.hpp"
 #include "sim/generate.hpp"
+#include "sim/limits.hpp"
 #include "tools/report/study_page.hpp"
 #include "tools/study/judgement.hpp"
 #include "tools/study/results_json.hpp"
@@ -105,15 +106,23 @@ RadarFacts facts_of(const Experiment& experiment) {
             .feature_quantity = "amplitude (LSB)"};
 }
 
-/// Of all classes, each once.
+/// Of all classes, each once: materials outside their band, and where optics is known to fail.
 std::vector<std::string> warnings_of(const Experiment& experiment, const Library& materials) {
+    const FrequencyBand band = experiment.radar.chirp.band();
     std::vector<std::string> warnings;
-    for (const SampleLaw& law : experiment.population.classes)
-        for (const BandWarning& warning :
-             band_warnings(law.nominal, materials, experiment.radar.chirp.band()))
-            if (const std::string text = warning.text();
-                std::find(warnings.begin(), warnings.end(), text) == warnings.end())
-                warnings.push_back(text);
+    const auto add = [&](const std::string& text) {
+        if (std::find(warnings.begin(), warnings.end(), text) == warnings.end())
+            warnings.push_back(text);
+    };
+    for (const SampleLaw& law : experiment.population.classes) {
+        for (const BandWarning& warning : band_warnings(law.nominal, materials, band))
+            add(warning.text());
+        Scene scene;
+        scene.radar = experiment.radar;
+        scene.sample = law.nominal;
+        for (const std::string& limit : optics_limits(scene, materials))
+            add(law.name + ": " + limit);
+    }
     return warnings;
 }
 

@@ -7,6 +7,7 @@
 #include "firmware/fw_extract.h"
 #include "sim/channel/diffuse_power.hpp"
 #include "sim/clutter.hpp"
+#include "sim/limits.hpp"
 #include "sim/parallel.hpp"
 #include "sim/scene_target.hpp"
 #include "sim/signal/dechirp.hpp"
@@ -24,6 +25,7 @@ struct Measured {
     std::vector<double> power;    ///< (frequency) |h|^2; or its mean over the chirp alone
     std::vector<double> diffuse;  ///< as long: the part of it that is a mean over rough pieces
     EchoProfile profile{};        ///< of the coherent echo, without --freq
+    bool is_weak = false;         ///< so far below a mirror that optics is in doubt; without --freq
 };
 
 /// The frequencies of the sums, and from which of them on they count.
@@ -99,7 +101,8 @@ struct Traced {
           scatter(trace(target, antennas,
                         {.highest_hz = highest_hz,
                          .accuracy_db = scene.solver.accuracy_db,
-                         .max_bounces = scene.solver.max_bounces})) {}
+                         .max_bounces = scene.solver.max_bounces,
+                         .edge_currents = scene.solver.edge_currents})) {}
 };
 
 /// What the rough faces scatter, mean over all pieces, (rx, frequency); empty where it is nothing.
@@ -151,7 +154,10 @@ std::vector<Measured> measure(const SweepPlan& plan, const Library& materials,
         std::vector<double> power = power_of(channel, swept.first_counted);
         for (std::size_t i = 0; i < power.size(); ++i) power[i] += diffuse[i];
         Measured measured{as_rows(std::move(power), plan), as_rows(diffuse, plan)};
-        if (plan.frequencies_hz.empty()) measured.profile = echo_profile(channel, scene.radar);
+        if (plan.frequencies_hz.empty()) {
+            measured.profile = echo_profile(channel, scene.radar);
+            measured.is_weak = !echo_limits(scene, materials, channel).empty();
+        }
         all.push_back(std::move(measured));
     }
     return all;
@@ -214,6 +220,7 @@ Sweep run_sweep(const SweepPlan& plan, const Library& materials, int threads,
                          ratio_db(own.power[f], of(nominal(geometry, plan)).power[f]),
                      .peak_bin = own.profile.peak_bin,
                      .centroid_bin = own.profile.centroid_bin,
+                     .is_weak = own.is_weak,
                      .bin_lsb = descriptor_bins(own.profile)});
             }
         });

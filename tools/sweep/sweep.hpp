@@ -17,8 +17,9 @@ struct SweepRow {
     double over_mirror_db = darkest_db;    ///< over an infinite mirror at the same height
     double over_untilted_db = darkest_db;  ///< over the same specimen untilted
     double over_nominal_db = darkest_db;   ///< over the same untilted at the scene's height
-    int peak_bin = 0;                      ///< these three only without --freq
+    int peak_bin = 0;                      ///< this and the rest only without --freq
     double centroid_bin = 0.0;
+    bool is_weak = false;           ///< PHYSICS.md#limits: coherent echo 15 dB below a wide sheet's
     std::vector<double> bin_lsb{};  ///< (bin) the descriptor's
 };
 

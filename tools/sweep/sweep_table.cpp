@@ -88,6 +88,9 @@ void add_bins(std::vector<SweepColumn>& columns, const Sweep& sweep) {
         [](const SweepRow& r) { return static_cast<double>(r.peak_bin); });
     add(columns, sweep, {"centroid_bin", "1", "mean range bin, weighted by power", {}},
         [](const SweepRow& r) { return r.centroid_bin; });
+    add(columns, sweep,
+        {"is_weak", "1", "1: coherent echo 15 dB below a wide sheet's, up to 1.5 dB off", {}},
+        [](const SweepRow& r) { return r.is_weak ? 1.0 : 0.0; });
     for (std::size_t i = 0; i < sweep.rows.front().bin_lsb.size(); ++i)
         add(columns, sweep,
             {format("bin_{:02}_lsb", FW_DEFAULT_FIRST_BIN + i), "LSB",

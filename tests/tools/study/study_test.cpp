@@ -173,15 +173,17 @@ TEST_CASE("what a study writes is what it recorded, trained and judged", "[study
 }
 
 TEST_CASE("a study says which materials it uses outside their band", "[study]") {
-    CHECK(toy().summary.warnings.empty());
-    CHECK(toy().results()["warnings"].empty());
+    // Its sheet of 6 cm is 12 wavelengths wide, and no metal.
+    REQUIRE(toy().summary.warnings.size() == 1);
+    CHECK(toy().summary.warnings[0].rfind("sheet: the sample, no metal, is", 0) == 0);
+    CHECK(toy().results()["warnings"][0] == toy().summary.warnings[0]);
     const MadeUpFolder folder;
     StudyRequest request;
     request.experiment_file =
         folder.with("toy.toml", edited(toy_experiment, "\"plexiglass\"", "\"brick\""));
     request.out = folder / "out";
     const StudySummary study = run_study(request, catalogue());
-    REQUIRE(study.warnings.size() == 1);
+    REQUIRE(study.warnings.size() == 2);
     CHECK(study.warnings[0].rfind("brick: valid from 1 to 40 GHz, used from 58", 0) == 0);
     CHECK(content_of(folder / "out/report.html").find("brick: valid from") != std::string::npos);
 }
