@@ -63,7 +63,7 @@ class WrittenFile {
     WrittenFile() { write_dataset(file, dataset); }
     const TemporaryFolder folder;
     const std::filesystem::path file = folder / "a.h5";
-    const Dataset dataset = made_up_dataset();
+    const Dataset dataset = made_up_recording();
 };
 
 TEST_CASE("the attributes of the file are those that FORMAT.md lists", "[dataset]") {
@@ -85,7 +85,7 @@ TEST_CASE("the attributes of the file are those that FORMAT.md lists", "[dataset
             CHECK_NOTHROW(in.number("/", row[0]));
     }
     CHECK(in.text("/", "format") == "specula-dataset");
-    CHECK(in.number("/", "format_version") == 1.0);
+    CHECK(in.number("/", "format_version") == 2.0);
     CHECK(in.text("/", "software") == "specula");
 }
 
