@@ -1,16 +1,14 @@
 #include <cmath>
 #include <cstdio>
-#include <map>
 
 #include "scenes/scene.hpp"
 #include "sim/core/constants.hpp"
 #include "sim/core/error.hpp"
 #include "sim/core/format.hpp"
-#include "sim/dataset/dataset.hpp"
-#include "sim/dataset/fingerprint.hpp"
 #include "sim/link_budget.hpp"
 #include "sim/scene_target.hpp"
 #include "tools/specula/commands.hpp"
+#include "tools/specula/show_dataset.hpp"
 #include "tools/specula/show_material.hpp"
 #include "tools/study/experiment.hpp"
 
@@ -42,31 +40,6 @@ void show_radar(const Radar& radar, double height_m) {
                 mirror.received_dbm + radar.receiver.gain_db, mirror.high_pass_db);
     std::printf("  in the ADC       %7.0f of %.0f LSB\n", mirror.amplitude_lsb,
                 radar.adc_full_scale_lsb());
-}
-
-void show_dataset(const fs::path& file) {
-    const Dataset dataset = read_dataset(file);
-    std::printf("%s: %zu frames x %d chirps x %d RX x %d samples\n", file.c_str(),
-                dataset.n_frames(), dataset.n_chirps, dataset.n_rx, dataset.n_samples);
-    std::printf("condition %s, radar %s, range bin %.4g cm, seed %llu, version %s\n",
-                dataset.origin.condition.c_str(), dataset.origin.radar.c_str(),
-                dataset.origin.bin_m * 100.0, static_cast<unsigned long long>(dataset.origin.seed),
-                dataset.origin.version.c_str());
-    std::printf("fingerprint %s\n\n", fingerprint(dataset).c_str());
-    std::map<std::string, std::size_t> frames_of;
-    for (const Truth& truth : dataset.truth) ++frames_of[dataset.class_names.at(truth.label)];
-    for (const auto& [name, n] : frames_of) std::printf("%-20s %8zu frames\n", name.c_str(), n);
-    std::printf("\n%-20s %12s %12s %12s  %s\n", "truth", "least", "mean", "most", "unit");
-    for (const TruthColumn& column : truth_columns) {
-        double least = INFINITY, most = -INFINITY, sum = 0.0;
-        for (const Truth& truth : dataset.truth) {
-            least = std::min(least, truth.*column.member);
-            most = std::max(most, truth.*column.member);
-            sum += truth.*column.member;
-        }
-        std::printf("%-20s %12.5g %12.5g %12.5g  %s\n", column.name, least,
-                    sum / static_cast<double>(dataset.n_frames()), most, column.unit);
-    }
 }
 
 void show_tilt(const char* what, const Pose::Tilt& tilt) {
