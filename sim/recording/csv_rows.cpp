@@ -92,11 +92,11 @@ CsvRows read_csv(Bytes bytes) {
 }
 
 double csv_number(const std::string& cell, const std::string& column, std::size_t offset) {
-    const auto first = cell.find_first_not_of(' ');
-    const std::string text = first == std::string::npos ? "" : cell.substr(first);
+    const std::size_t first = std::min(cell.find_first_not_of(' '), cell.size());
+    const std::size_t behind = cell.find_last_not_of(' ') + 1;  // 0 where there are only spaces
     double value = 0.0;
-    const char* end = text.data() + text.find_last_not_of(' ') + 1;
-    const auto result = std::from_chars(text.data(), end, value);
+    const char* end = cell.data() + std::max(first, behind);
+    const auto result = std::from_chars(cell.data() + first, end, value);
     if (result.ec != std::errc{} || result.ptr != end || !std::isfinite(value))
         fail_at(offset, format("{} = \"{}\": is not a finite number", column, cell.substr(0, 40)),
                 "write it as 1.5e-3");

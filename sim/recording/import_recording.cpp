@@ -10,6 +10,7 @@
 #include "sim/recording/import_arrays.hpp"
 #include "sim/recording/import_tables.hpp"
 #include "sim/recording/infineon_config.hpp"
+#include "sim/recording/order_check.hpp"
 
 namespace specula {
 
@@ -46,6 +47,19 @@ void take_cube(CodeCube cube, Draft& draft) {
     draft.n_recordings = cube.n_recordings;
 }
 
+/// Takes a cube whose order somebody declared, unless the codes speak against it.
+void take_declared(CodeCube cube, const RecordingManifest& manifest, Draft& draft) {
+    constexpr double clear = 4.0;  // of made-up and recorded chirps, wrong orders give 5 and more
+    const double suspicion = manifest.trust_axes ? 0.0 : interleaving_suspicion(cube);
+    if (suspicion > clear)
+        fail_at(0,
+                format("from sample to sample, the codes jump {:.1f} times as much as with rx and "
+                       "sample exchanged",
+                       suspicion),
+                "exchange them in axes of a manifest's [layout], or say trust_axes = true there");
+    take_cube(std::move(cube), draft);
+}
+
 /// The order of a flat file: axes of the manifest or `usual`, one of whose lengths may be open.
 AxisOrder flat_order(const RecordingManifest& manifest, const std::vector<std::string>& usual,
                      std::size_t n_codes) {
@@ -71,7 +85,7 @@ AxisOrder flat_order(const RecordingManifest& manifest, const std::vector<std::s
 void take_flat(Bytes bytes, Packing packing, const RecordingManifest& manifest,
                const std::vector<std::string>& usual, Draft& draft) {
     const auto codes = unpack_codes(bytes, packing);
-    take_cube(arrange(codes, flat_order(manifest, usual, codes.size())), draft);
+    take_declared(arrange(codes, flat_order(manifest, usual, codes.size())), manifest, draft);
 }
 
 void import_adc(const fs::path& input, const RecordingManifest& manifest, Draft& draft) {
@@ -114,7 +128,8 @@ void import_injection(const fs::path& input, const RecordingManifest& manifest, 
 
 void take_array(const NpyArray& array, const RecordingManifest& manifest, Draft& draft) {
     if (is_feature_table(array, manifest)) return take_features(array, draft.dataset);
-    take_cube(arrange(codes_of(array, manifest.wrapped), order_of(array, manifest)), draft);
+    take_declared(arrange(codes_of(array, manifest.wrapped), order_of(array, manifest)), manifest,
+                  draft);
 }
 
 void import_npy(const fs::path& input, const RecordingManifest& manifest, Draft& draft) {

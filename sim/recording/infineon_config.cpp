@@ -47,6 +47,8 @@ InfineonConfig read_infineon_config(const std::string& text) {
         root = Json::parse(text);
     } catch (const Json::parse_error& error) {
         fail_at(error.byte, "is not JSON", "name the config.json of an FMCW recording");
+    } catch (const Json::out_of_range&) {
+        fail_at(0, "holds a number beyond all range", "name the config.json of an FMCW recording");
     }
     const Json& shape = member(member(root, "device_config"), "fmcw_single_shape");
     constexpr double highest_hz = 1e12;

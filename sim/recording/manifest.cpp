@@ -74,6 +74,7 @@ void read_layout(Section section, RecordingManifest& manifest) {
                                : Packing::int16;
     manifest.packets = section.flag("packets", false);
     manifest.wrapped = section.flag("wrapped", false);
+    manifest.trust_axes = section.flag("trust_axes", false);
     if (section.has("features")) manifest.features = section.texts("features");
     section.finish();
 }

@@ -34,6 +34,8 @@ struct RecordingManifest {
     std::string member;                         ///< of an .npz archive
     std::optional<Packing> packing;
     bool packets = false;  ///< whether DCA1000 headers are still in the stream
+    bool trust_axes =
+        false;             ///< whether codes that look interleaved otherwise are taken all the same
     bool wrapped = false;  ///< whether 32768 to 65535 stand for negative codes
 
     std::map<std::string, std::string> columns;  ///< class, sample, session, view, frame, world ->

@@ -155,8 +155,8 @@ int run_program(int argc, char** argv) {
     add_validate(program, validation);
     ImportArguments import;
     add_import(program, import);
-    ExportArguments export_;
-    add_export(program, export_);
+    ExportRecordingArguments export_;
+    add_export_recording(program, export_);
     TrainArguments training;
     training.learning.threads = available_threads();
     add_train(program, training);
@@ -189,7 +189,8 @@ int run_program(int argc, char** argv) {
             if (command == "simulate") simulate_command(simulate, catalogue);
             if (command == "validate") status = validate_command(validation, catalogue);
             if (command == "import") import_command(import, catalogue);
-            if (command == "export") export_command(export_, catalogue);
+            if (command == "export" && !export_.what.empty())
+                export_recording_command(export_, catalogue);
             if (command == "train") train_command(training);
             if (command == "evaluate") evaluate_command(evaluation);
             if (command == "list") list_command(listed, catalogue);

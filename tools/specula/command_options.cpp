@@ -2,6 +2,8 @@
 
 #include <charconv>
 
+#include "sim/core/format.hpp"
+
 namespace specula {
 
 namespace {
@@ -62,26 +64,46 @@ void add_import(CLI::App& program, ImportArguments& arguments) {
         ->type_name("FILE");
 }
 
-void add_export(CLI::App& program, ExportArguments& arguments) {
-    CLI::App* command = add_command(
+CLI::App* export_group(CLI::App& program) {
+    if (CLI::App* group = program.get_subcommand_no_throw("export")) return group;
+    CLI::App* group = add_command(
         program, "export", "Write a dataset in the format of a sensor or of other programs",
-        "specula export injection out/paper/datasets/height.h5 -o adc.bin\n"
-        "  Codes in LSB come back bit by bit with specula import; so do features. uart and csv\n"
-        "  take range profile and descriptor of the firmware where there are no features.");
-    command
-        ->add_option("WHAT", arguments.what,
-                     "adc, dca1000, rdif, injection, uart, infineon, npy or csv")
-        ->required();
-    command->add_option("DATASET", arguments.input, "dataset (.h5)")->required();
-    command->add_option("-o,--out", arguments.out, "file or (infineon) folder to write")
-        ->required()
-        ->type_name("FILE");
-    command->add_option("--model", arguments.model, "uart: whose answers go along (TLV 1031)")
-        ->type_name("FILE");
-    command
-        ->add_option("--radar", arguments.radar,
-                     "infineon: whose frequencies config.json names; default the dataset's")
-        ->type_name("NAME");
+        "specula export injection out/paper/datasets/height.h5 -o adc.bin");
+    group->require_subcommand(1);
+    return group;
+}
+
+void add_export_recording(CLI::App& program, ExportRecordingArguments& arguments) {
+    CLI::App* group = export_group(program);
+    for (const auto& [name, what] : std::vector<std::pair<std::string, const char*>>{
+             {"adc", "Codes as flat int16 in the order frame, chirp, rx, sample"},
+             {"dca1000", "Codes as a capture card stores them"},
+             {"rdif", "12-bit codes as the IWRL6432 sends them over RDIF, swizzle mode 2"},
+             {"injection", "Codes for TI's demo to read instead of its ADC (adcDataSource)"},
+             {"uart", "Range profiles as TI's demos send them (TLV 302), with answers (TLV 1031)"},
+             {"infineon", "Codes as a folder of radar.npy and config.json"},
+             {"npy", "Codes, or features where there are none, as NumPy's array"},
+             {"csv", "Features and labels as a table"}}) {
+        CLI::App* command = group->add_subcommand(name, what);
+        command->footer(
+            format("Example:\n  specula export {} plate.h5 -o plate.out\n"
+                   "  specula import reads it back, bit by bit; labels stand in "
+                   "plate.out.toml.",
+                   name));
+        command->callback([&arguments, name = name] { arguments.what = name; });
+        command->add_option("DATASET", arguments.input, "dataset (.h5)")->required();
+        command->add_option("-o,--out", arguments.out, "file or (infineon) folder to write")
+            ->required()
+            ->type_name("FILE");
+        if (name == "uart")
+            command->add_option("--model", arguments.model, "whose answers go along (TLV 1031)")
+                ->type_name("FILE");
+        if (name == "infineon")
+            command
+                ->add_option("--radar", arguments.radar,
+                             "whose frequencies config.json names; default the dataset's")
+                ->type_name("NAME");
+    }
 }
 
 void add_train(CLI::App& program, TrainArguments& arguments) {

@@ -14,9 +14,12 @@ CLI::App* add_command(CLI::App& program, const char* name, const char* what, con
 /// 2^64 - 1.
 std::string seed_problem(const std::string& text);
 
+/// `export`, whose own sub-commands are the formats.
+CLI::App* export_group(CLI::App& program);
+
 /// The commands about recordings and the classifiers of them.
 void add_import(CLI::App& program, ImportArguments& arguments);
-void add_export(CLI::App& program, ExportArguments& arguments);
+void add_export_recording(CLI::App& program, ExportRecordingArguments& arguments);
 void add_train(CLI::App& program, TrainArguments& arguments);
 void add_evaluate(CLI::App& program, EvaluateArguments& arguments);
 

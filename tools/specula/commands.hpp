@@ -54,14 +54,14 @@ struct ImportArguments {
 };
 void import_command(const ImportArguments& arguments, const Catalogue& catalogue);
 
-struct ExportArguments {
+struct ExportRecordingArguments {
     std::string what;  ///< format
     std::filesystem::path input;
     std::filesystem::path out;
     std::filesystem::path model;  ///< whose answers go along; empty: those recorded, if any
     std::string radar;            ///< whose frequencies are named; empty: the dataset's
 };
-void export_command(const ExportArguments& arguments, const Catalogue& catalogue);
+void export_recording_command(const ExportRecordingArguments& arguments, const Catalogue& catalogue);
 
 /// How models are trained.
 struct Learning {

@@ -30,6 +30,7 @@ TEST_CASE("a configuration says shape and range bin", "[recording]") {
 
 TEST_CASE("what is wrong in a configuration is named", "[recording]") {
     CHECK(message_of([] { return read_infineon_config("{\"a\": ").n_rx; }).rfind("byte ", 0) == 0);
+    CHECK(refusal("63500000000", "1e999").rfind("byte 0: holds a number beyond all range", 0) == 0);
     CHECK(refusal("num_chirps_per_frame", "chirps") ==
           "num_chirps_per_frame: is missing; name the config.json of an FMCW recording");
     CHECK(refusal("\"num_chirps_per_frame\": 8", "\"num_chirps_per_frame\": 8.5")

@@ -52,7 +52,7 @@ void add_answers(const std::filesystem::path& file, Dataset& dataset) {
 }
 
 /// What an Infineon folder says beside the codes.
-InfineonConfig chirp_of(const ExportArguments& arguments, const Dataset& dataset,
+InfineonConfig chirp_of(const ExportRecordingArguments& arguments, const Dataset& dataset,
                         const Catalogue& catalogue) {
     const std::string name = arguments.radar.empty() ? dataset.origin.radar : arguments.radar;
     Section wanted = Section::parse("radar = '" + name + "'", "--radar");
@@ -75,7 +75,7 @@ void warn_of_limits(const std::string& format_name, const Dataset& dataset) {
 
 }  // namespace
 
-void export_command(const ExportArguments& arguments, const Catalogue& catalogue) {
+void export_recording_command(const ExportRecordingArguments& arguments, const Catalogue& catalogue) {
     Dataset dataset = read_dataset(arguments.input);
     try {
         if (!arguments.model.empty()) add_answers(arguments.model, dataset);
