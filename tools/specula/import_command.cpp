@@ -1,16 +1,30 @@
 #include <cstdio>
+#include <optional>
 
 #include "sim/core/error.hpp"
 #include "sim/core/format.hpp"
 #include "sim/recording/import_recording.hpp"
 #include "tools/console/console.hpp"
 #include "tools/specula/commands.hpp"
+#include "tools/study/progress.hpp"
 
 namespace specula {
 
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr std::uintmax_t slow_bytes = 16u << 20;  ///< from here on, it takes seconds
+
+/// Of a file, or of the files of a folder.
+std::uintmax_t bytes_of(const fs::path& input) {
+    std::error_code ignored;
+    if (!fs::is_directory(input, ignored)) return fs::file_size(input, ignored);
+    std::uintmax_t bytes = 0;
+    for (const auto& entry : fs::directory_iterator(input, ignored))
+        if (entry.is_regular_file(ignored)) bytes += entry.file_size(ignored);
+    return bytes;
+}
 
 /// `[FORMAT] INPUT`.
 struct Source {
@@ -43,6 +57,8 @@ void import_command(const ImportArguments& arguments, const Catalogue& catalogue
     const Source source = source_of(arguments.what);
     const RecordingManifest manifest =
         read_manifest(manifest_for(arguments, source.input), catalogue);
+    std::optional<Progress> progress;
+    if (bytes_of(source.input) > slow_bytes) progress.emplace("Importing", "recordings", 1);
     const ImportedRecording imported = import_recording(source.format, source.input, manifest);
     const fs::path out =
         arguments.out.empty()
@@ -53,6 +69,8 @@ void import_command(const ImportArguments& arguments, const Catalogue& catalogue
         throw InputError(out.string() + ": is the recording itself; give --out another name");
     for (const std::string& note : imported.notes) say_warning(source.input.string() + ": " + note);
     write_dataset(out, imported.dataset);
+    if (progress) ++progress->done();
+    progress.reset();
     std::printf("%zu frames of %zu classes\nWrote %s; specula show %s\n",
                 imported.dataset.n_frames(), imported.dataset.class_names.size(), out.c_str(),
                 out.c_str());
