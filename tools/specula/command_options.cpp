@@ -65,7 +65,8 @@ void add_import(CLI::App& program, ImportArguments& arguments) {
 }
 
 CLI::App* export_group(CLI::App& program) {
-    if (CLI::App* group = program.get_subcommand_no_throw("export")) return group;
+    const auto is_export = [](CLI::App* app) { return app->get_name() == "export"; };
+    if (const auto found = program.get_subcommands(is_export); !found.empty()) return found[0];
     CLI::App* group = add_command(
         program, "export", "Write a dataset in the format of a sensor or of other programs",
         "specula export injection out/paper/datasets/height.h5 -o adc.bin");
