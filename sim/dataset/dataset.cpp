@@ -70,13 +70,19 @@ std::set<std::string> parted(const std::string& list) {
     return names;
 }
 
+/// The file being read, and its name for messages.
+struct OpenDataset {
+    const Hdf5File& in;
+    const std::filesystem::path& file;
+};
+
 template <typename T>
-void fill_column(const Hdf5File& in, const std::string& name, T Truth::*member,
+void fill_column(const OpenDataset& source, const std::string& name, T Truth::*member,
                  std::vector<Truth>& truth) {
-    const auto values = in.read<T>(name);
+    const auto values = source.in.read<T>(name);
     if (values.size() != truth.size())
-        throw InputError(
-            format("a column {} of {} rows beside {} frames", name, values.size(), truth.size()));
+        throw InputError(format("{}: a column {} of {} rows beside {} frames", source.file.string(),
+                                name, values.size(), truth.size()));
     for (std::size_t i = 0; i < truth.size(); ++i) truth[i].*member = values[i];
 }
 
@@ -191,16 +197,18 @@ void read_features(const Hdf5File& in, const std::filesystem::path& file, Datase
     dataset.truth.resize(n);
 }
 
-void read_columns(const Hdf5File& in, const std::set<std::string>& absent, Dataset& dataset) {
-    fill_column(in, "/label", &Truth::label, dataset.truth);
+void read_columns(const OpenDataset& source, const std::set<std::string>& absent,
+                  Dataset& dataset) {
+    fill_column(source, "/label", &Truth::label, dataset.truth);
     for (const auto& column : id_columns)
-        fill_column(in, std::string("/group/") + column.name, column.member, dataset.truth);
+        fill_column(source, std::string("/group/") + column.name, column.member, dataset.truth);
     dataset.has_views = !absent.contains("/group/view");
-    if (dataset.has_views) fill_column(in, "/group/view", &Truth::view, dataset.truth);
+    if (dataset.has_views) fill_column(source, "/group/view", &Truth::view, dataset.truth);
     for (std::size_t i = 0; i < truth_columns.size(); ++i) {
         const std::string name = std::string("/truth/") + truth_columns[i].name;
         dataset.unknown_truth[i] = absent.contains(name);
-        if (!absent.contains(name)) fill_column(in, name, truth_columns[i].member, dataset.truth);
+        if (!absent.contains(name))
+            fill_column(source, name, truth_columns[i].member, dataset.truth);
     }
 }
 
@@ -261,11 +269,7 @@ Dataset read_dataset(const std::filesystem::path& file) {
         dataset.probability = read_rows<float>(in, file, "/probability",
                                                {dataset.n_frames(), dataset.answer_names.size()});
     }
-    try {
-        read_columns(in, absent, dataset);
-    } catch (const InputError& error) {
-        throw InputError(format("{}: {}", file.string(), error.what()));
-    }
+    read_columns({in, file}, absent, dataset);
     for (const Truth& truth : dataset.truth)
         if (truth.label >= dataset.class_names.size())
             throw InputError(format("{}: /label: {} beside {} class names; the file is damaged",

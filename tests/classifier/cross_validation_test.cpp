@@ -14,7 +14,10 @@ namespace {
 /// classes, everything about pieces.
 FeatureTable pieces_only(int n_pieces, int n_frames, std::vector<std::int32_t>& piece) {
     Stream stream({.seed = 4, .purpose = "pieces"});
-    FeatureTable rows{.extractor = "columns", .n_features = 2, .class_names = {"a", "b", "c"}};
+    FeatureTable rows;
+    rows.extractor = "columns";
+    rows.n_features = 2;
+    rows.class_names = {"a", "b", "c"};
     for (int p = 0; p < n_pieces; ++p) {
         const double x = stream.normal(), y = stream.normal();
         for (int i = 0; i < n_frames; ++i) {
