@@ -43,7 +43,7 @@ std::size_t column_index(const CsvRows& table, const std::string& name) {
     const auto found = std::ranges::find(table.columns, name);
     if (found == table.columns.end())
         fail_at(0, format("no column is called \"{}\"", name),
-                "use one of " + quoted_list(table.columns));
+                "use " + quoted_list(table.columns));
     return static_cast<std::size_t>(found - table.columns.begin());
 }
 

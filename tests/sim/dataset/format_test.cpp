@@ -92,8 +92,9 @@ TEST_CASE("the attributes of the file are those that FORMAT.md lists", "[dataset
 TEST_CASE("the tables of the file are those that FORMAT.md lists", "[dataset]") {
     const WrittenFile written;
     const Hdf5Probe probe(written.file);
-    const std::map<std::string, std::size_t> lengths{
-        {"N", 7}, {"n_chirps", 2}, {"n_rx", 3}, {"n_samples", 16}};
+    const std::map<std::string, std::size_t> lengths{{"N", 7},          {"n_chirps", 2},
+                                                     {"n_rx", 3},       {"n_samples", 16},
+                                                     {"n_features", 4}, {"n_answers", 2}};
 
     std::set<std::string> documented;
     const Hdf5File in = Hdf5File::open(written.file);

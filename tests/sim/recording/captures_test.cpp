@@ -5,6 +5,7 @@
 #include "classifier/descriptor.hpp"
 #include "sim/recording/import_recording.hpp"
 #include "tests/check.hpp"
+#include "tests/message_of.hpp"
 
 // Public recordings of real radars, whose licences do not let them into the project. A folder that
 // holds them is named by SPECULA_CAPTURES; without it these tests say so and end.
@@ -64,6 +65,18 @@ TEST_CASE("a raw IWRL6432 recording has the levels others measured on it", "[cap
         CHECK(found.mean == Approx(offset[rx]).margin(0.5));  // given in whole LSB
         CHECK(found.largest == largest[rx]);
     }
+}
+
+TEST_CASE("real chirps read with receivers and samples exchanged are refused", "[captures]") {
+    const fs::path file = capture("iwrl6432_adc/adc_i16le_1024frames_3rx_256samp.bin");
+    if (file.empty()) return;
+    const std::string exchanged =
+        "[layout]\naxes = ['frame', 'sample', 'rx']\nrx = 3\nsamples = 256\n";
+    CHECK(message_of([&] {
+              return imported("adc", file, exchanged).n_frames();
+          }).find("the codes jump 5.7 times as much as with rx and sample exchanged") !=
+          std::string::npos);
+    CHECK(imported("adc", file, exchanged + "trust_axes = true\n").n_frames() == 1024);
 }
 
 TEST_CASE("a UART dump of an IWRL6432 is whole packets of 64 bins", "[captures]") {

@@ -147,7 +147,7 @@ TEST_CASE("a torn or unknown layout is refused", "[recording]") {
         return message_of([&] { return manifest(text).parts.size(); });
     };
     CHECK(wrong("range_bin_mm = -1").find("m.toml:1: range_bin_mm = -1: ") == 0);
-    CHECK(wrong("[layout]\nsampels = 4").find("m.toml:2: sampels") == 0);
+    CHECK(wrong("[layout]\nsampels = 4").find("m.toml:2: layout.sampels = 4: ") == 0);
     CHECK(wrong("part = [{frames = [0, 3], class = 'a'}, {frames = [3, 4], class = 'b'}]")
               .find("frame 3 belongs to two parts") != std::string::npos);
     CHECK(wrong("part = [{frames = [3, 2], class = 'a'}]").find("ends before it begins") !=

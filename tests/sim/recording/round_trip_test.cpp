@@ -16,7 +16,9 @@ namespace {
 Dataset made_up_codes(bool is_complex) {
     Stream stream({.seed = 8, .purpose = "round trip"});
     Dataset dataset;
-    dataset.origin = {.condition = "a \"quoted\" name", .radar = "iwrl6432boost", .bin_m = 0.0234};
+    dataset.origin.condition = "a \"quoted\" name";
+    dataset.origin.radar = "iwrl6432boost";
+    dataset.origin.bin_m = 0.0234;
     dataset.class_names = {"iron", "wood, pine"};
     dataset.n_chirps = 2;
     dataset.n_rx = 3;
