@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bitset>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -14,12 +15,22 @@ struct Origin {
     std::string condition;   ///< name of the condition it was made for
     std::string experiment;  ///< the whole experiment file
     std::uint64_t seed = 0;
-    std::string version;     ///< of this program
-    std::string radar;       ///< name
-    double bin_m = 0.0;      ///< range bin of an n_samples-point transform
+    std::string version;  ///< of this program
+    std::string radar;    ///< name
+    double bin_m = 0.0;   ///< range bin of an n_samples-point transform, or of a sample
+    std::string source = "simulation";  ///< or "import" and the format it came in
+};
+
+/// What one step along the last axis of the codes is.
+enum class SampleAxis {
+    beat,   ///< time in a chirp: a range profile is their spectrum
+    range,  ///< range itself, as pulsed radars give it
 };
 
 /// Frames and the truth of each. FORMAT.md describes the file.
+///
+/// Codes, features or both: a recording that a sensor had processed already has no codes
+/// (n_samples = 0).
 struct Dataset {
     Origin origin;
     std::vector<std::string> class_names;
@@ -28,6 +39,16 @@ struct Dataset {
     int n_samples = 0;
     std::vector<std::int16_t> adc;  ///< (frame, chirp, rx, sample), LSB
     std::vector<Truth> truth;       ///< (frame)
+
+    /// What only recordings have, or lack.
+    SampleAxis sample_axis = SampleAxis::beat;
+    std::vector<std::int16_t> adc_quadrature;  ///< as adc, of a complex receiver; else empty
+    std::vector<std::string> feature_names;    ///< (feature); at most 4096
+    std::vector<double> features;              ///< (frame, feature), finite; or empty
+    std::vector<std::string> answer_names;     ///< classes the sensor's own classifier knows
+    std::vector<float> probability;            ///< (frame, answer) of that classifier; or empty
+    bool has_views = false;                    ///< whether truth.view says anything
+    std::bitset<truth_columns.size()> unknown_truth;  ///< columns nobody measured
 
     std::size_t n_frames() const { return truth.size(); }
     std::size_t codes_per_frame() const {

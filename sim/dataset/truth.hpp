@@ -12,6 +12,7 @@ struct Truth {
     std::int32_t sample = 0;   ///< physical piece, unique in an experiment
     std::int32_t session = 0;  ///< one placement and warm-up, unique in an experiment
     std::int32_t frame = 0;    ///< in the session
+    std::int32_t view = 0;     ///< side or place from which recordings look at their samples
 
     double height_m = 0.0;
     double nominal_height_m = 0.0;

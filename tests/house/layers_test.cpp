@@ -14,7 +14,7 @@ namespace {
 const std::vector<std::vector<std::string>> order{
     {"firmware"},    {"sim/core"},    {"materials"},  {"scenes"},
     {"sim/trace"},   {"sim/channel"}, {"sim/signal"}, {"sim/adc"},
-    {"sim/dataset"}, {"sim"},         {"classifier"},
+    {"sim/dataset"}, {"sim/recording"}, {"sim"}, {"classifier"},
     {"tools/report", "tools/study", "tools/sweep", "tools/validate"},
     {"tools"},
 };
@@ -79,6 +79,7 @@ struct Door {
 const std::vector<Door> doors{
     {{"embree"}, {"sim/trace/geometry.cpp"}, false},
     {{"hdf5", "H5"}, {"sim/dataset/hdf5_"}, false},
+    {{"zlib", "zconf"}, {"sim/recording/zip_archive.cpp"}, false},
     {{"toml++/", "toml.hpp"}, {"sim/core/document_table."}, false},
     {{"omp.h"}, {"sim/parallel.cpp"}, false},
     {{"CLI/"}, {"tools/specula/"}, false},
@@ -234,6 +235,8 @@ TEST_CASE("a third party beside its door is found with file and line", "[house]"
         {"sim/dataset/hdf5_file.cpp", "hdf5.h", true},
         {"sim/dataset/dataset.cpp", "hdf5.h", false},
         {"sim/hdf5_file.cpp", "H5Cpp.h", false},
+        {"sim/recording/zip_archive.cpp", "zlib.h", true},
+        {"sim/recording/npy_array.cpp", "zlib.h", false},
         {"tests/check.hpp", "catch2/catch.hpp", true},
         {"tests/sim/simulate_test.cpp", "catch2/catch_test_macros.hpp", false},
         {"sim/core/document_table.hpp", "toml++/toml.h", true},

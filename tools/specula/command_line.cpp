@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
@@ -14,6 +13,7 @@
 #include "sim/core/version.hpp"
 #include "sim/parallel.hpp"
 #include "tools/console/console.hpp"
+#include "tools/specula/command_options.hpp"
 #include "tools/specula/commands.hpp"
 #include "tools/specula/home.hpp"
 #include "tools/specula/sweep_options.hpp"
@@ -33,21 +33,6 @@ constexpr const char* first_steps =
     "\"specula study --help\" explains one command. Exit status: 0 done, 1 the system failed "
     "(disk,\n"
     "memory, a missing tool), 2 wrong input.";
-
-/// A sub-command with an example under its help.
-CLI::App* add_command(CLI::App& program, const char* name, const char* what, const char* example) {
-    CLI::App* command = program.add_subcommand(name, what);
-    command->footer(std::string("Example:\n  ") + example);
-    return command;
-}
-
-/// Reads all of 64 bits; CLI11 would take -1 for 2^64 - 1.
-std::string seed_problem(const std::string& text) {
-    std::uint64_t seed = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
-    if (error == std::errc{} && end == text.data() + text.size()) return "";
-    return text + " is not a whole number from 0 to 18446744073709551615";
-}
 
 void add_study(CLI::App& program, StudyArguments& arguments) {
     CLI::App* command = add_command(
@@ -189,6 +174,16 @@ int run_program(int argc, char** argv) {
     ValidateArguments validation;
     validation.threads = available_threads();
     add_validate(program, validation);
+    ImportArguments import;
+    add_import(program, import);
+    ExportRecordingArguments export_;
+    add_export_recording(program, export_);
+    TrainArguments training;
+    training.learning.threads = available_threads();
+    add_train(program, training);
+    EvaluateArguments evaluation;
+    evaluation.learning.threads = available_threads();
+    add_evaluate(program, evaluation);
     std::string listed, shell = "bash";
     add_command(program, "list", "List what is known by name", "specula list materials")
         ->add_option("KIND", listed, "materials, radars, experiments or sweeps")
@@ -215,6 +210,11 @@ int run_program(int argc, char** argv) {
             if (command == "simulate") simulate_command(simulate, catalogue);
             if (command == "sweep") sweep_command(sweep, catalogue);
             if (command == "validate") status = validate_command(validation, catalogue);
+            if (command == "import") import_command(import, catalogue);
+            if (command == "export" && !export_.what.empty())
+                export_recording_command(export_, catalogue);
+            if (command == "train") train_command(training);
+            if (command == "evaluate") evaluate_command(evaluation);
             if (command == "list") list_command(listed, catalogue);
             if (command == "show") show_command(with_words(show, shown), catalogue);
         }

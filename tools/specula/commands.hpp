@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "classifier/train.hpp"
 #include "scenes/catalogue.hpp"
 #include "tools/sweep/sweep_plan.hpp"
 
@@ -55,6 +56,47 @@ struct ShowArguments {
     std::filesystem::path figure;  ///< folder for the figure of a material; empty: none
 };
 void show_command(const ShowArguments& arguments, const Catalogue& catalogue);
+
+struct ImportArguments {
+    std::vector<std::string> what;   ///< [format] and input
+    std::filesystem::path manifest;  ///< empty: INPUT.toml where there is one
+    std::filesystem::path out;       ///< empty: INPUT.h5 in the working folder
+};
+void import_command(const ImportArguments& arguments, const Catalogue& catalogue);
+
+struct ExportRecordingArguments {
+    std::string what;  ///< format
+    std::filesystem::path input;
+    std::filesystem::path out;
+    std::filesystem::path model;  ///< whose answers go along; empty: those recorded, if any
+    std::string radar;            ///< whose frequencies are named; empty: the dataset's
+};
+void export_recording_command(const ExportRecordingArguments& arguments, const Catalogue& catalogue);
+
+/// How models are trained.
+struct Learning {
+    TrainOptions options;
+    std::string bins;  ///< FIRST:COUNT; empty: what fits the data
+    std::uint64_t seed = 1;
+    int threads = 1;
+};
+
+struct TrainArguments {
+    std::filesystem::path data;
+    std::filesystem::path out;
+    Learning learning;
+};
+void train_command(const TrainArguments& arguments);
+
+struct EvaluateArguments {
+    std::vector<std::string> what;       ///< model and dataset; the dataset alone with leave_out
+    std::vector<std::string> leave_out;  ///< frame, session, view, object; empty: judge the model
+    int folds = 10;
+    int repeats = 3;
+    bool leak_check = false;
+    Learning learning;
+};
+void evaluate_command(const EvaluateArguments& arguments);
 
 /// @in shell  "bash" or "zsh"
 void completion_command(const std::string& shell, const std::vector<std::string>& commands);

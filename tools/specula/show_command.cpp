@@ -1,19 +1,17 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <map>
 
 #include "scenes/scene.hpp"
 #include "sim/core/constants.hpp"
 #include "sim/core/error.hpp"
 #include "sim/core/format.hpp"
-#include "sim/dataset/dataset.hpp"
-#include "sim/dataset/fingerprint.hpp"
 #include "sim/limits.hpp"
 #include "sim/link_budget.hpp"
 #include "sim/mirror_foot.hpp"
 #include "sim/scene_target.hpp"
 #include "tools/specula/commands.hpp"
+#include "tools/specula/show_dataset.hpp"
 #include "tools/specula/show_material.hpp"
 #include "tools/study/experiment.hpp"
 #include "tools/sweep/sweep_table.hpp"
@@ -60,32 +58,6 @@ void show_sweep(const fs::path& file) {
         const auto [least, most] = std::minmax_element(column.values.begin(), column.values.end());
         std::printf("%-20s %12.5g %12.5g  %-5s %s\n", column.name.c_str(), *least, *most,
                     column.unit.c_str(), column.meaning.c_str());
-    }
-}
-
-void show_dataset(const fs::path& file) {
-    if (is_sweep_hdf5(file)) return show_sweep(file);
-    const Dataset dataset = read_dataset(file);
-    std::printf("%s: %zu frames x %d chirps x %d RX x %d samples\n", file.c_str(),
-                dataset.n_frames(), dataset.n_chirps, dataset.n_rx, dataset.n_samples);
-    std::printf("condition %s, radar %s, range bin %.4g cm, seed %llu, version %s\n",
-                dataset.origin.condition.c_str(), dataset.origin.radar.c_str(),
-                dataset.origin.bin_m * 100.0, static_cast<unsigned long long>(dataset.origin.seed),
-                dataset.origin.version.c_str());
-    std::printf("fingerprint %s\n\n", fingerprint(dataset).c_str());
-    std::map<std::string, std::size_t> frames_of;
-    for (const Truth& truth : dataset.truth) ++frames_of[dataset.class_names.at(truth.label)];
-    for (const auto& [name, n] : frames_of) std::printf("%-20s %8zu frames\n", name.c_str(), n);
-    std::printf("\n%-20s %12s %12s %12s  %s\n", "truth", "least", "mean", "most", "unit");
-    for (const TruthColumn& column : truth_columns) {
-        double least = INFINITY, most = -INFINITY, sum = 0.0;
-        for (const Truth& truth : dataset.truth) {
-            least = std::min(least, truth.*column.member);
-            most = std::max(most, truth.*column.member);
-            sum += truth.*column.member;
-        }
-        std::printf("%-20s %12.5g %12.5g %12.5g  %s\n", column.name, least,
-                    sum / static_cast<double>(dataset.n_frames()), most, column.unit);
     }
 }
 
@@ -208,7 +180,8 @@ void show_command(const ShowArguments& arguments, const Catalogue& catalogue) {
     if (!arguments.kind.empty()) check_kind(arguments, catalogue);
     const fs::path path = what;
     const auto show = [&](const Material& material) { show_material(material, arguments.figure); };
-    if (path.extension() == ".h5") return show_dataset(path);
+    if (path.extension() == ".h5")
+        return is_sweep_hdf5(path) ? show_sweep(path) : show_dataset(path);
     if (path.extension() == ".toml") {
         Section section = Section::read(path);
         if (section.has("training")) return show_experiment(read_experiment(path, catalogue));

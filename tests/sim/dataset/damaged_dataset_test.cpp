@@ -107,8 +107,14 @@ std::vector<Damage> damages() {
              h5.add_group("/adc");
          },
          "/adc: is missing"},
-        {"a version to come", [](Hdf5Probe& h5) { h5.put_numbers("/", "format_version", {2.0}); },
-         "/@format_version = 2"},
+        {"a version to come", [](Hdf5Probe& h5) { h5.put_numbers("/", "format_version", {3.0}); },
+         "/@format_version = 3"},
+        {"a version in between",
+         [](Hdf5Probe& h5) { h5.put_numbers("/", "format_version", {1.5}); },
+         "/@format_version = 1.5"},
+        {"features said to be there",
+         [](Hdf5Probe& h5) { h5.put_variable_text("/", "left_out", "/probability"); },
+         "/@left_out: is not text of fixed length"},
         {"many versions",
          [](Hdf5Probe& h5) {
              h5.put_numbers("/", "format_version", std::vector<double>(100, 1.0));
@@ -153,8 +159,9 @@ std::vector<Damage> damages() {
     for (const std::string column : {"/label", "/group/world", "/group/frame", "/truth/bow_m"})
         list.push_back(
             {"no " + column, [=](Hdf5Probe& h5) { h5.remove(column); }, column + ": is missing"});
-    for (const std::string name : {"software_version", "condition", "experiment_toml", "seed",
-                                   "radar", "range_bin_m", "class_names", "format_version"})
+    for (const std::string name :
+         {"software_version", "condition", "experiment_toml", "seed", "radar", "range_bin_m",
+          "class_names", "format_version", "source", "sample_axis", "left_out"})
         list.push_back({"no " + name, [=](Hdf5Probe& h5) { h5.remove_attribute("/", name); },
                         "/@" + name + ": is missing"});
     return list;

@@ -38,13 +38,46 @@ TEST_CASE("a dataset comes back from its file bit by bit", "[dataset]") {
     }
 }
 
+TEST_CASE("a recording comes back with what it has and without what it lacks", "[dataset]") {
+    const TemporaryFolder folder;
+    Dataset written = made_up_recording();
+    for (std::size_t i = 1; i < truth_columns.size(); ++i) written.unknown_truth.set(i);
+    write_dataset(folder / "a.h5", written);
+    Dataset read = read_dataset(folder / "a.h5");
+    CHECK(read.origin.source == "import npz");
+    CHECK(read.sample_axis == SampleAxis::range);
+    CHECK(read.adc == written.adc);
+    CHECK(read.adc_quadrature == written.adc_quadrature);
+    CHECK(read.feature_names == written.feature_names);
+    CHECK(read.features == written.features);
+    CHECK(read.answer_names == written.answer_names);
+    CHECK(read.probability == written.probability);
+    CHECK(read.unknown_truth == written.unknown_truth);
+    REQUIRE(read.has_views);
+    for (std::size_t i = 0; i < read.n_frames(); ++i) {
+        CHECK(read.truth[i].view == written.truth[i].view);
+        CHECK(read.truth[i].height_m == written.truth[i].height_m);
+        CHECK(read.truth[i].bow_m == Truth{}.bow_m);  // not known, so not written
+    }
+
+    written.adc.clear();  // of a sensor that sends range profiles only
+    written.adc_quadrature.clear();
+    written.n_chirps = written.n_rx = written.n_samples = 0;
+    write_dataset(folder / "a.h5", written);
+    read = read_dataset(folder / "a.h5");
+    CHECK(read.adc.empty());
+    CHECK(read.n_samples == 0);
+    CHECK(read.n_frames() == 7);
+    CHECK(read.features == written.features);
+}
+
 TEST_CASE("no two columns of the truth are the same field", "[dataset]") {
     Truth truth;
     for (std::size_t i = 0; i < truth_columns.size(); ++i)
         truth.*truth_columns[i].member = static_cast<double>(i) + 1.0;
     for (std::size_t i = 0; i < truth_columns.size(); ++i)
         CHECK(truth.*truth_columns[i].member == static_cast<double>(i) + 1.0);
-    // All of Truth's numbers are columns: 18 doubles, four ids and the label.
+    // All of Truth's numbers are columns: the doubles, five ids and the label.
     CHECK(sizeof(Truth) == sizeof(double) * truth_columns.size() + 6 * sizeof(std::int32_t));
 }
 
@@ -106,7 +139,7 @@ TEST_CASE("a frame of the dataset is the firmware's frame", "[dataset]") {
     CHECK(frame.samples == dataset.adc.data() + 3 * 2 * 3 * 16);
 }
 
-TEST_CASE("a fingerprint knows codes, labels and nothing else", "[dataset]") {
+TEST_CASE("a fingerprint knows codes, features, labels and nothing else", "[dataset]") {
     const Dataset dataset = made_up_dataset();
     const std::string before = fingerprint(dataset);
     CHECK(before.size() == 16);
@@ -125,6 +158,14 @@ TEST_CASE("a fingerprint knows codes, labels and nothing else", "[dataset]") {
     changed.origin.condition = "another file of the same recording";
     changed.truth[0].height_m += 1.0;
     CHECK(fingerprint(changed) == before);
+
+    changed = made_up_recording();
+    const std::string recorded = fingerprint(changed);
+    changed.features[0] += 1.0;
+    CHECK(fingerprint(changed) != recorded);
+    changed.features[0] -= 1.0;
+    changed.adc_quadrature[0] ^= 1;
+    CHECK(fingerprint(changed) != recorded);
 
     Dataset empty;
     CHECK(fingerprint(empty) == "cbf29ce484222325");  // the offset basis of FNV-1a, 64 bits

@@ -63,7 +63,7 @@ class WrittenFile {
     WrittenFile() { write_dataset(file, dataset); }
     const TemporaryFolder folder;
     const std::filesystem::path file = folder / "a.h5";
-    const Dataset dataset = made_up_dataset();
+    const Dataset dataset = made_up_recording();
 };
 
 TEST_CASE("the attributes of the file are those that FORMAT.md lists", "[dataset]") {
@@ -85,15 +85,16 @@ TEST_CASE("the attributes of the file are those that FORMAT.md lists", "[dataset
             CHECK_NOTHROW(in.number("/", row[0]));
     }
     CHECK(in.text("/", "format") == "specula-dataset");
-    CHECK(in.number("/", "format_version") == 1.0);
+    CHECK(in.number("/", "format_version") == 2.0);
     CHECK(in.text("/", "software") == "specula");
 }
 
 TEST_CASE("the tables of the file are those that FORMAT.md lists", "[dataset]") {
     const WrittenFile written;
     const Hdf5Probe probe(written.file);
-    const std::map<std::string, std::size_t> lengths{
-        {"N", 7}, {"n_chirps", 2}, {"n_rx", 3}, {"n_samples", 16}};
+    const std::map<std::string, std::size_t> lengths{{"N", 7},          {"n_chirps", 2},
+                                                     {"n_rx", 3},       {"n_samples", 16},
+                                                     {"n_features", 4}, {"n_answers", 2}};
 
     std::set<std::string> documented;
     const Hdf5File in = Hdf5File::open(written.file);

@@ -37,6 +37,25 @@ inline Dataset made_up_dataset(std::size_t n_frames = 7) {
     return dataset;
 }
 
+/// The same as a recording would be: complex, processed by the sensor, little of its truth known.
+inline Dataset made_up_recording() {
+    Dataset dataset = made_up_dataset();
+    Stream stream({.seed = 6, .purpose = "made up"});
+    dataset.origin.source = "import npz";
+    dataset.sample_axis = SampleAxis::range;
+    dataset.has_views = true;
+    dataset.feature_names = {"bin 0", "bin 1", "bin 2", "bin 3"};
+    for (std::size_t i = 0; i < dataset.adc.size(); ++i)
+        dataset.adc_quadrature.push_back(static_cast<std::int16_t>(stream.bits() >> 16));
+    for (std::size_t i = 0; i < dataset.n_frames() * 4; ++i)
+        dataset.features.push_back(stream.normal());
+    dataset.answer_names = {"grass", "no grass"};
+    for (std::size_t i = 0; i < dataset.n_frames() * 2; ++i)
+        dataset.probability.push_back(static_cast<float>(stream.uniform()));
+    for (Truth& truth : dataset.truth) truth.view = static_cast<std::int32_t>(stream.bits() >> 1);
+    return dataset;
+}
+
 inline std::string bytes_of(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), {}};

@@ -10,8 +10,8 @@
 namespace specula {
 namespace {
 
-const std::vector<std::string> commands{"study", "simulate", "validate",
-                                        "list",  "show",     "completion"};
+const std::vector<std::string> commands{"study",  "simulate", "validate", "import", "export",
+                                        "train",  "evaluate", "list",     "show",   "completion"};
 
 bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;

@@ -1,0 +1,104 @@
+#include "classifier/cross_validation.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <set>
+
+#include "classifier/predict.hpp"
+#include "sim/core/error.hpp"
+#include "sim/core/expect.hpp"
+#include "sim/core/format.hpp"
+#include "sim/parallel.hpp"
+
+namespace specula {
+
+namespace {
+
+std::size_t n_distinct(std::span<const std::int32_t> group) {
+    return std::set<std::int32_t>(group.begin(), group.end()).size();
+}
+
+template <typename T>
+void shuffle(std::vector<T>& values, Stream& stream) {
+    for (std::size_t i = values.size(); i > 1; --i)
+        std::swap(values[i - 1], values[stream.below(static_cast<std::uint32_t>(i))]);
+}
+
+}  // namespace
+
+std::vector<std::int32_t> groups_of(const Dataset& dataset, LeaveOut what) {
+    if (what == LeaveOut::view && !dataset.has_views)
+        throw InputError("view: the dataset tells no views apart; leave out sessions or samples");
+    std::vector<std::int32_t> group;
+    for (const Truth& truth : dataset.truth)
+        group.push_back(what == LeaveOut::frame     ? static_cast<std::int32_t>(group.size())
+                        : what == LeaveOut::session ? truth.session
+                        : what == LeaveOut::view    ? truth.view
+                                                    : truth.sample);
+    if (n_distinct(group) < 2)
+        throw InputError("there is only one group to leave out; record more than one");
+    return group;
+}
+
+std::vector<int> deal_folds(const FeatureTable& rows, std::span<const std::int32_t> group,
+                            int n_folds) {
+    SPECULA_EXPECT(group.size() == rows.size() && n_folds >= 2);
+    std::vector<std::pair<std::uint8_t, std::int32_t>> groups;  // (class of the first, number)
+    std::set<std::int32_t> seen;
+    for (std::size_t i = 0; i < group.size(); ++i)
+        if (seen.insert(group[i]).second) groups.emplace_back(rows.label[i], group[i]);
+    if (groups.size() == rows.size()) {  // single frames: their order would show in the folds
+        Stream stream({.seed = 1, .purpose = "folds of single frames"});
+        shuffle(groups, stream);
+    } else {
+        std::ranges::sort(groups);
+    }
+    std::map<std::int32_t, int> fold_of;
+    for (std::size_t i = 0; i < groups.size(); ++i)
+        fold_of[groups[i].second] = static_cast<int>(i % static_cast<std::size_t>(n_folds));
+    std::vector<int> fold;
+    for (const std::int32_t number : group) fold.push_back(fold_of[number]);
+    return fold;
+}
+
+FeatureTable with_shuffled_classes(const FeatureTable& rows, std::span<const std::int32_t> sample,
+                                   const StreamKey& key) {
+    std::map<std::int32_t, std::size_t> place;
+    std::vector<std::uint8_t> classes;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        if (place.emplace(sample[i], classes.size()).second) classes.push_back(rows.label[i]);
+    Stream stream(key);
+    shuffle(classes, stream);
+    FeatureTable shuffled = rows;
+    for (std::size_t i = 0; i < rows.size(); ++i) shuffled.label[i] = classes[place[sample[i]]];
+    return shuffled;
+}
+
+std::vector<std::uint8_t> cross_predict(const FeatureTable& rows, const CrossValidation& how,
+                                        std::atomic<std::size_t>* done) {
+    std::vector<std::uint8_t> predicted(rows.size());
+    const auto run_fold = [&](std::size_t held_out) {
+        std::vector<std::size_t> training, judged;
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            (how.fold[i] == static_cast<int>(held_out) ? judged : training).push_back(i);
+        if (judged.empty()) return;
+        const Model model = train(select_rows(rows, training), how.options,
+                                  {.seed = how.seed,
+                                   .purpose = "cross-validation",
+                                   .item = static_cast<std::uint32_t>(held_out)});
+        const Predictions answers = predict(fold(model), select_rows(rows, judged));
+        for (std::size_t k = 0; k < judged.size(); ++k) predicted[judged[k]] = answers.label[k];
+    };
+    for_each_index(static_cast<std::size_t>(how.n_folds), how.threads, run_fold, done);
+    return predicted;
+}
+
+double accuracy(std::span<const std::uint8_t> truth, std::span<const std::uint8_t> predicted) {
+    SPECULA_EXPECT(!truth.empty() && truth.size() == predicted.size());
+    std::size_t right = 0;
+    for (std::size_t i = 0; i < truth.size(); ++i) right += truth[i] == predicted[i];
+    return static_cast<double>(right) / static_cast<double>(truth.size());
+}
+
+}  // namespace specula

@@ -1,0 +1,152 @@
+#include "classifier/descriptor.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+
+#include "classifier/extract_features.hpp"
+#include "sim/core/error.hpp"
+#include "sim/core/format.hpp"
+
+namespace specula {
+
+namespace {
+
+constexpr int default_windows = 12;
+constexpr std::array<const char*, 3> window_names{"rect", "hann", "blackman"};  // as fw_window
+
+bool has_window(int n_samples) {
+    return n_samples == 64 || n_samples == 128 || n_samples == 256 || n_samples == 512;
+}
+
+void check_bins(const BinChoice& choice, int n_available, const char* what) {
+    if (choice.first < 0 || choice.count < 1 || choice.first + choice.count > n_available)
+        throw InputError(format("bins {}:{}: there are {} {}; choose among them", choice.first,
+                                choice.count, n_available, what));
+}
+
+/// Mean magnitude over chirps, receivers and the samples of each window.
+FeatureTable range_windows(const Dataset& dataset, const Descriptor& descriptor) {
+    const auto n_samples = static_cast<std::size_t>(dataset.n_samples);
+    const std::size_t n_windows = descriptor.bins.n_bins;
+    const std::size_t n_rows = dataset.codes_per_frame() / n_samples;
+    FeatureTable table;
+    table.features.reserve(dataset.n_frames() * n_windows);
+    for (std::size_t i = 0; i < dataset.n_frames(); ++i)
+        for (std::size_t w = 0; w < n_windows; ++w) {
+            const std::size_t begin = w * n_samples / n_windows;
+            const std::size_t end = (w + 1) * n_samples / n_windows;
+            double sum = 0.0;
+            for (std::size_t row = 0; row < n_rows; ++row)
+                for (std::size_t n = begin; n < end; ++n) {
+                    const std::size_t at = i * dataset.codes_per_frame() + row * n_samples + n;
+                    const double re = dataset.adc[at];
+                    const double im =
+                        dataset.adc_quadrature.empty() ? 0.0 : dataset.adc_quadrature[at];
+                    sum += std::sqrt(re * re + im * im);
+                }
+            table.features.push_back(
+                static_cast<float>(sum / static_cast<double>((end - begin) * n_rows)));
+        }
+    return table;
+}
+
+FeatureTable columns(const Dataset& dataset, const Descriptor& descriptor) {
+    const std::size_t n = dataset.feature_names.size();
+    FeatureTable table;
+    for (std::size_t i = 0; i < dataset.n_frames(); ++i)
+        for (std::size_t k = 0; k < descriptor.bins.n_bins; ++k)
+            table.features.push_back(
+                static_cast<float>(dataset.features[i * n + descriptor.bins.first_bin + k]));
+    if (!std::ranges::all_of(table.features, [](float value) { return std::isfinite(value); }))
+        throw InputError("features: some are too large for a float; scale them down");
+    return table;
+}
+
+void check_fit(const Dataset& dataset, const Descriptor& descriptor) {
+    const BinChoice choice{descriptor.bins.first_bin, descriptor.bins.n_bins};
+    if (descriptor.extractor == "columns") {
+        check_bins(choice, static_cast<int>(dataset.feature_names.size()), "features");
+        return;
+    }
+    const bool is_range = dataset.sample_axis == SampleAxis::range;
+    if (dataset.adc.empty() || is_range != (descriptor.extractor == "range_windows"))
+        throw InputError(
+            format("{}: does not fit such frames; choose data of the kind the model "
+                   "was trained on",
+                   descriptor.extractor));
+    if (!is_range && !dataset.adc_quadrature.empty())
+        throw InputError(
+            "the codes are complex, and the firmware takes real ones only; export "
+            "them and import features");
+    check_bins(choice, is_range ? dataset.n_samples : dataset.n_samples / 2,
+               is_range ? "samples" : "range bins");
+}
+
+}  // namespace
+
+std::string Descriptor::text() const {
+    return format("{} {} {} {}", extractor, bins.first_bin, bins.n_bins,
+                  window_names[static_cast<std::size_t>(bins.window)]);
+}
+
+Descriptor descriptor_for(const Dataset& dataset, const std::optional<BinChoice>& choice) {
+    Descriptor descriptor;
+    BinChoice bins{FW_DEFAULT_FIRST_BIN, FW_DEFAULT_N_BINS};
+    if (dataset.adc.empty()) {
+        descriptor.extractor = "columns";
+        bins = {0, static_cast<int>(dataset.feature_names.size())};
+    } else if (dataset.sample_axis == SampleAxis::range) {
+        descriptor.extractor = "range_windows";
+        bins = {0, default_windows};
+    }
+    if (choice) bins = *choice;
+    check_bins(bins, 65535, "at most");
+    descriptor.bins.first_bin = static_cast<std::uint16_t>(bins.first);
+    descriptor.bins.n_bins = static_cast<std::uint16_t>(bins.count);
+    if (!has_window(dataset.n_samples)) descriptor.bins.window = FW_WINDOW_RECT;
+    check_fit(dataset, descriptor);
+    return descriptor;
+}
+
+Descriptor descriptor_of(const Model& model) {
+    Descriptor descriptor;
+    descriptor.extractor = model.extractor;
+    descriptor.bins.n_bins = static_cast<std::uint16_t>(model.input_mean.size());
+    for (const auto& [what, value] : model.provenance) {
+        if (what != "descriptor") continue;
+        std::istringstream words(value);
+        std::string window;
+        words >> descriptor.extractor >> descriptor.bins.first_bin >> descriptor.bins.n_bins >>
+            window;
+        const auto found = std::ranges::find(window_names, window);
+        if (!words || found == window_names.end() ||
+            descriptor.bins.n_bins != model.input_mean.size())
+            throw InputError(
+                format("provenance: descriptor = \"{}\": is not one of this model's "
+                       "{} inputs; train the model again",
+                       value, model.input_mean.size()));
+        descriptor.bins.window = static_cast<fw_window>(found - window_names.begin());
+    }
+    return descriptor;
+}
+
+FeatureTable describe(const Dataset& dataset, const Descriptor& descriptor, int threads) {
+    check_fit(dataset, descriptor);
+    if (descriptor.extractor == "range_bins")
+        return extract_features(dataset, descriptor.bins, threads);
+    FeatureTable table = descriptor.extractor == "columns" ? columns(dataset, descriptor)
+                                                           : range_windows(dataset, descriptor);
+    table.extractor = descriptor.extractor;
+    table.n_features = descriptor.bins.n_bins;
+    table.class_names = dataset.class_names;
+    for (const Truth& truth : dataset.truth) {
+        table.label.push_back(truth.label);
+        table.world.push_back(truth.world);
+        table.session.push_back(truth.session);
+    }
+    return table;
+}
+
+}  // namespace specula

@@ -1,0 +1,146 @@
+#include "tools/specula/command_options.hpp"
+
+#include <charconv>
+
+#include "sim/core/format.hpp"
+
+namespace specula {
+
+namespace {
+
+void add_learning(CLI::App* command, Learning& learning) {
+    command
+        ->add_option("--bins", learning.bins,
+                     "FIRST:COUNT of range bins, windows or features; default 6:12 of beat samples")
+        ->type_name("BINS");
+    command->add_option("--hidden", learning.options.hidden, "units of the hidden layers")
+        ->delimiter(',')
+        ->capture_default_str();
+    command->add_option("--epochs", learning.options.epochs, "passes over the frames")
+        ->check(CLI::Range(1, 100000).description(""))
+        ->capture_default_str();
+    command->add_option("--seed", learning.seed, "of weights, order and shuffles")
+        ->check(seed_problem)
+        ->capture_default_str();
+    command
+        ->add_option("-j,--threads", learning.threads,
+                     "1 to 1024; results do not depend on it; default all processors")
+        ->check(CLI::Range(1, 1024).description(""))
+        ->capture_default_str();
+}
+
+}  // namespace
+
+CLI::App* add_command(CLI::App& program, const char* name, const char* what, const char* example) {
+    CLI::App* command = program.add_subcommand(name, what);
+    command->footer(std::string("Example:\n  ") + example);
+    return command;
+}
+
+std::string seed_problem(const std::string& text) {
+    std::uint64_t seed = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+    if (error == std::errc{} && end == text.data() + text.size()) return "";
+    return text + " is not a whole number from 0 to 18446744073709551615";
+}
+
+void add_import(CLI::App& program, ImportArguments& arguments) {
+    CLI::App* command = add_command(
+        program, "import", "Read a recording into a dataset",
+        "specula import uart session.bin --manifest session.toml -o session.h5\n"
+        "  FORMAT: adc (flat int16), dca1000, rdif (swizzle mode 2), injection (TI), uart (TI\n"
+        "  TLVs), infineon (a folder of radar.npy and config.json), npy, npz or csv.\n"
+        "  What a file does not say stands in a manifest: sim/dataset/FORMAT.md has its keys.");
+    command
+        ->add_option("WHAT", arguments.what,
+                     "[FORMAT] INPUT; a folder, .npy, .npz and .csv need no FORMAT")
+        ->required()
+        ->expected(1, 2);
+    command
+        ->add_option("--manifest", arguments.manifest,
+                     "labels and layout (.toml); default INPUT.toml where there is one")
+        ->type_name("FILE");
+    command->add_option("-o,--out", arguments.out, "dataset to write; default INPUT.h5 here")
+        ->type_name("FILE");
+}
+
+CLI::App* export_group(CLI::App& program) {
+    const auto is_export = [](CLI::App* app) { return app->get_name() == "export"; };
+    if (const auto found = program.get_subcommands(is_export); !found.empty()) return found[0];
+    CLI::App* group = add_command(
+        program, "export", "Write a dataset in the format of a sensor or of other programs",
+        "specula export injection out/paper/datasets/height.h5 -o adc.bin");
+    group->require_subcommand(1);
+    return group;
+}
+
+void add_export_recording(CLI::App& program, ExportRecordingArguments& arguments) {
+    CLI::App* group = export_group(program);
+    for (const auto& [name, what] : std::vector<std::pair<std::string, const char*>>{
+             {"adc", "Codes as flat int16 in the order frame, chirp, rx, sample"},
+             {"dca1000", "Codes as a capture card stores them"},
+             {"rdif", "12-bit codes as the IWRL6432 sends them over RDIF, swizzle mode 2"},
+             {"injection", "Codes for TI's demo to read instead of its ADC (adcDataSource)"},
+             {"uart", "Range profiles as TI's demos send them (TLV 302), with answers (TLV 1031)"},
+             {"infineon", "Codes as a folder of radar.npy and config.json"},
+             {"npy", "Codes, or features where there are none, as NumPy's array"},
+             {"csv", "Features and labels as a table"}}) {
+        CLI::App* command = group->add_subcommand(name, what);
+        command->footer(
+            format("Example:\n  specula export {} plate.h5 -o plate.out\n"
+                   "  specula import reads it back, bit by bit; labels stand in "
+                   "plate.out.toml.",
+                   name));
+        command->callback([&arguments, name = name] { arguments.what = name; });
+        command->add_option("DATASET", arguments.input, "dataset (.h5)")->required();
+        command->add_option("-o,--out", arguments.out, "file or (infineon) folder to write")
+            ->required()
+            ->type_name("FILE");
+        if (name == "uart")
+            command->add_option("--model", arguments.model, "whose answers go along (TLV 1031)")
+                ->type_name("FILE");
+        if (name == "infineon")
+            command
+                ->add_option("--radar", arguments.radar,
+                             "whose frequencies config.json names; default the dataset's")
+                ->type_name("NAME");
+    }
+}
+
+void add_train(CLI::App& program, TrainArguments& arguments) {
+    CLI::App* command =
+        add_command(program, "train", "Train the classifier on a dataset",
+                    "specula train materials.h5 -o materials.json\n"
+                    "  All frames are learnt from; see specula evaluate for honest scores.");
+    command->add_option("DATASET", arguments.data, "dataset (.h5)")->required();
+    command->add_option("-o,--out", arguments.out, "model to write (.json)")
+        ->required()
+        ->type_name("FILE");
+    add_learning(command, arguments.learning);
+}
+
+void add_evaluate(CLI::App& program, EvaluateArguments& arguments) {
+    CLI::App* command = add_command(
+        program, "evaluate", "Judge a model on a dataset, or a dataset by cross-validation",
+        "specula evaluate materials.json others.h5\n"
+        "  specula evaluate materials.h5 --leave-out frame,view,object --leak-check");
+    command->add_option("WHAT", arguments.what, "MODEL DATASET, or DATASET with --leave-out")
+        ->required()
+        ->expected(1, 2);
+    command
+        ->add_option("--leave-out", arguments.leave_out,
+                     "what is never on both sides: frame, session, view or object; or several")
+        ->delimiter(',')
+        ->check(CLI::IsMember({"frame", "session", "view", "object"}).description(""));
+    command->add_option("--folds", arguments.folds, "models per cross-validation, 2 to 1000")
+        ->check(CLI::Range(2, 1000).description(""))
+        ->capture_default_str();
+    command->add_option("--repeats", arguments.repeats, "cross-validations, each of another seed")
+        ->check(CLI::Range(1, 1000).description(""))
+        ->capture_default_str();
+    command->add_flag("--leak-check", arguments.leak_check,
+                      "also with the classes of the objects shuffled");
+    add_learning(command, arguments.learning);
+}
+
+}  // namespace specula
