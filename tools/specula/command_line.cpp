@@ -15,6 +15,7 @@
 #include "sim/parallel.hpp"
 #include "tools/console/console.hpp"
 #include "tools/specula/commands.hpp"
+#include "tools/specula/firmware_options.hpp"
 #include "tools/specula/home.hpp"
 #include "tools/specula/sweep_options.hpp"
 
@@ -189,6 +190,8 @@ int run_program(int argc, char** argv) {
     ValidateArguments validation;
     validation.threads = available_threads();
     add_validate(program, validation);
+    FirmwareArguments firmware;
+    add_firmware_commands(program, firmware);
     std::string listed, shell = "bash";
     add_command(program, "list", "List what is known by name", "specula list materials")
         ->add_option("KIND", listed, "materials, radars, experiments or sweeps")
@@ -215,6 +218,8 @@ int run_program(int argc, char** argv) {
             if (command == "simulate") simulate_command(simulate, catalogue);
             if (command == "sweep") sweep_command(sweep, catalogue);
             if (command == "validate") status = validate_command(validation, catalogue);
+            if (is_firmware_command(command))
+                status = run_firmware_command(program, firmware, catalogue);
             if (command == "list") list_command(listed, catalogue);
             if (command == "show") show_command(with_words(show, shown), catalogue);
         }

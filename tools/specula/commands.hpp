@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scenes/catalogue.hpp"
+#include "tools/firmware/verify_input.hpp"
 #include "tools/sweep/sweep_plan.hpp"
 
 namespace specula {
@@ -55,6 +56,26 @@ struct ShowArguments {
     std::filesystem::path figure;  ///< folder for the figure of a material; empty: none
 };
 void show_command(const ShowArguments& arguments, const Catalogue& catalogue);
+
+struct ExportModelArguments {
+    std::filesystem::path model;
+    std::filesystem::path blob;  ///< files to write; empty: none
+    std::filesystem::path c_source;
+    std::filesystem::path onnx;
+    std::string arithmetic = "float";  ///< of blob and C array: "float", "int16" or "int8"
+};
+void export_model_command(const ExportModelArguments& arguments);
+
+/// The exit status: 0, or 1 where builds of the firmware differ or cost more than their budget.
+int verify_firmware_command(const VerifyRequest& request, const Catalogue& catalogue);
+
+struct LatencyArguments {
+    std::filesystem::path experiment;  ///< a file
+    std::filesystem::path out;         ///< folder for table and figure
+    int worlds = 8;
+    int threads = 1;
+};
+void latency_command(const LatencyArguments& arguments, const Catalogue& catalogue);
 
 /// @in shell  "bash" or "zsh"
 void completion_command(const std::string& shell, const std::vector<std::string>& commands);
