@@ -18,16 +18,6 @@ bool is_word(char c) {
     return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
 }
 
-void check(const std::string& name) {
-    const bool valid = !name.empty() && name.size() <= 32 && name[0] >= 'a' && name[0] <= 'z' &&
-                       std::ranges::all_of(name, is_word);
-    if (!valid)
-        throw InputError(
-            format("name = {}: cannot name a C variable; use up to 32 of a-z, 0-9 and "
-                   "_, a letter first",
-                   name));
-}
-
 std::string upper(std::string text) {
     for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
     return text;
@@ -118,8 +108,18 @@ std::string source_text(const Model& model, const std::string& symbol) {
 
 }  // namespace
 
+void check_c_name(const std::string& name) {
+    const bool valid = !name.empty() && name.size() <= 32 && name[0] >= 'a' && name[0] <= 'z' &&
+                       std::ranges::all_of(name, is_word);
+    if (!valid)
+        throw InputError(
+            format("name = {}: cannot name a C variable; use up to 32 of a-z, 0-9 and "
+                   "_, a letter first",
+                   name));
+}
+
 ExportedModel export_c(const Model& model, const std::string& name) {
-    check(name);
+    check_c_name(name);
     const std::string symbol = "fw_model_" + name;
     return {.header_name = symbol + ".h",
             .header = header_text(model, symbol),

@@ -22,4 +22,7 @@ struct ExportedModel {
 /// Throws InputError for another name.
 ExportedModel export_c(const Model& model, const std::string& name);
 
+/// Throws InputError unless `name` is a lower-case C identifier of at most 32 characters.
+void check_c_name(const std::string& name);
+
 }  // namespace specula

@@ -17,9 +17,14 @@ struct AffineLayer {
     std::vector<Scalar> bias;    ///< (out)
 };
 
-/// The linear part of a hidden layer with its batch normalisation, in double:
-/// weight' = s weight, bias' = beta - s mean, with s = gamma / sqrt(variance + batch_norm_epsilon).
+/// The linear part of a hidden layer with the batch normalisation before its ReLU, in double:
+/// weight' = s weight, bias' = beta + s (bias - mean), with
+/// s = gamma / sqrt(variance + batch_norm_epsilon).
 AffineLayer<double> folded(const HiddenLayer& layer);
+
+/// All layers, in double. A normalisation of the inputs, or one behind a ReLU, goes into the layer
+/// that follows it: weight' = weight diag(s), bias' = bias + weight (beta - s mean).
+std::vector<AffineLayer<double>> folded_layers(const Model& model);
 
 /// A model as the firmware runs it. Owns the arrays that `view` lends.
 struct FoldedModel {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -22,12 +23,22 @@ class JsonField {
     JsonField(const std::string& file, const FloatJson& root) : file_(&file), value_(&root) {}
 
     JsonField at(const std::string& key) const;
+    bool has(const std::string& key) const { return value_->is_object() && value_->contains(key); }
     /// The elements of an array, the members of an object in their order.
     std::vector<JsonField> items() const;
     std::string key() const { return key_; }
 
     std::string text() const;
     std::int64_t integer() const;
+    /// An integer that an Integer can hold.
+    template <typename Integer>
+    Integer integer_as() const {
+        const std::int64_t value = integer();
+        if (value < std::numeric_limits<Integer>::min() ||
+            value > std::numeric_limits<Integer>::max())
+            fail("is out of range", "train or export the model again");
+        return static_cast<Integer>(value);
+    }
     /// Array of n finite numbers, each at least `min`.
     std::vector<float> numbers(std::size_t n, float min) const;
 

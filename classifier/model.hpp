@@ -1,27 +1,43 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "classifier/measurement.hpp"
 
 namespace specula {
 
 /// Added to the variance inside the square root; part of what a model means.
 inline constexpr double batch_norm_epsilon = 1e-5;
 
+/// x -> gamma * (x - mean) / sqrt(variance + batch_norm_epsilon) + beta, where it stands alone.
+struct BatchNorm {
+    std::vector<float> gamma;
+    std::vector<float> beta;
+    std::vector<float> mean;
+    std::vector<float> variance;  ///< >= 0
+};
+
 /// x -> ReLU(gamma * (weight x - mean) / sqrt(variance + batch_norm_epsilon) + beta).
 ///
 /// No bias before the normalisation, which would cancel it: its exact gradient is 0, and Adam turns
 /// the rounding noise that is left into steps of the size of the learning rate.
+///
+/// Networks trained elsewhere may have a bias, and their normalisation after the ReLU (TI's): then
+/// gamma, beta, mean and variance are empty, and the layer is BatchNorm(ReLU(weight x + bias)).
 struct HiddenLayer {
     std::size_t n_in = 0;
     std::size_t n_out = 0;
-    std::vector<float> weight;    ///< (out, in)
-    std::vector<float> gamma;     ///< (out)
-    std::vector<float> beta;      ///< (out)
-    std::vector<float> mean;      ///< (out), running mean over batches
-    std::vector<float> variance;  ///< (out), running unbiased variance, >= 0
+    std::vector<float> weight;              ///< (out, in)
+    std::vector<float> gamma;               ///< (out)
+    std::vector<float> beta;                ///< (out)
+    std::vector<float> mean;                ///< (out), running mean over batches
+    std::vector<float> variance;            ///< (out), running unbiased variance, >= 0
+    std::vector<float> bias{};              ///< (out), or empty: none
+    std::optional<BatchNorm> after_relu{};  ///< (out)
 };
 
 /// x -> weight x + bias.
@@ -32,14 +48,25 @@ struct OutputLayer {
     std::vector<float> bias;    ///< (out)
 };
 
+/// The spread of the training features, for the firmware's fw_mahalanobis.
+struct InputMonitor {
+    std::vector<float> mean;       ///< (feature)
+    std::vector<float> whitening;  ///< (feature (feature + 1) / 2), rows of a lower triangle
+    std::vector<float> centre;     ///< (class, feature), whitened
+    float suspicious_squared = 0;  ///< squared distance above which an input is unfamiliar, > 0
+};
+
 /// A trained classifier as training left it: batch normalisation is not folded.
 struct Model {
-    std::string extractor;                 ///< name of the firmware's extractor it was trained on
-    std::vector<std::string> class_names;  ///< (class)
-    std::vector<float> input_mean;         ///< (feature); the network sees (x - mean) * scale
-    std::vector<float> input_scale;        ///< (feature), >= 0
+    std::string extractor;                  ///< name of the firmware's extractor it was trained on
+    std::vector<std::string> class_names;   ///< (class)
+    std::vector<float> input_mean;          ///< (feature); the network sees (x - mean) * scale
+    std::vector<float> input_scale;         ///< (feature), >= 0
+    std::optional<BatchNorm> input_norm{};  ///< (feature), behind mean and scale (TI's placement)
     std::vector<HiddenLayer> hidden;
     OutputLayer output;
+    std::optional<Measurement> measurement{};  ///< how its features came about, if known
+    std::optional<InputMonitor> monitor{};
     /// Where it comes from, for people: (what, value), e.g. ("dataset", a fingerprint).
     std::vector<std::pair<std::string, std::string>> provenance;
 

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "classifier/json_field.hpp"
+#include "classifier/model_fields.hpp"
 #include "firmware/fw_mlp.h"
 #include "sim/core/atomic_file.hpp"
 #include "sim/core/error.hpp"
@@ -79,15 +80,29 @@ std::vector<float> read_rows(const JsonField& field, std::size_t n_in) {
     return values;
 }
 
+FloatJson hidden_json(const HiddenLayer& layer) {
+    FloatJson json{{"weight", rows(layer.weight, layer.n_in)}};
+    if (!layer.bias.empty()) json["bias"] = layer.bias;
+    if (!layer.gamma.empty())
+        json.update(batch_norm_json({layer.gamma, layer.beta, layer.mean, layer.variance}));
+    if (layer.after_relu) json["after_relu"] = batch_norm_json(*layer.after_relu);
+    return json;
+}
+
 HiddenLayer read_hidden(const JsonField& field, std::size_t n_in) {
     HiddenLayer layer;
     layer.n_in = n_in;
     layer.weight = read_rows(field.at("weight"), n_in);
     layer.n_out = layer.weight.size() / n_in;
-    layer.gamma = field.at("gamma").numbers(layer.n_out, lowest);
-    layer.beta = field.at("beta").numbers(layer.n_out, lowest);
-    layer.mean = field.at("mean").numbers(layer.n_out, lowest);
-    layer.variance = field.at("variance").numbers(layer.n_out, 0.0f);
+    if (field.has("bias")) layer.bias = field.at("bias").numbers(layer.n_out, lowest);
+    if (field.has("after_relu"))
+        layer.after_relu = read_batch_norm(field.at("after_relu"), layer.n_out);
+    if (!field.has("gamma") && field.has("after_relu")) return layer;
+    const BatchNorm before = read_batch_norm(field, layer.n_out);
+    layer.gamma = before.gamma;
+    layer.beta = before.beta;
+    layer.mean = before.mean;
+    layer.variance = before.variance;
     return layer;
 }
 
@@ -118,6 +133,10 @@ Model read_fields(const JsonField& root) {
         mean.fail("has no feature or too many", format("use 1 to {}", max_width));
     model.input_mean = mean.numbers(n_in, lowest);
     model.input_scale = root.at("input_scale").numbers(n_in, 0.0f);
+    if (root.has("input_norm")) model.input_norm = read_batch_norm(root.at("input_norm"), n_in);
+    if (root.has("measurement")) model.measurement = read_measurement(root.at("measurement"));
+    if (root.has("monitor"))
+        model.monitor = read_monitor(root.at("monitor"), {n_in, model.n_classes()});
     const std::vector<JsonField> hidden = root.at("hidden").items();
     if (hidden.size() + 1 > FW_MLP_MAX_LAYERS)
         root.at("hidden").fail("has too many layers",
@@ -149,13 +168,11 @@ void write_model(const Model& model, const std::filesystem::path& file) {
     for (const auto& [what, value] : model.provenance) root["provenance"][what] = value;
     root["input_mean"] = model.input_mean;
     root["input_scale"] = model.input_scale;
+    if (model.input_norm) root["input_norm"] = batch_norm_json(*model.input_norm);
+    if (model.measurement) root["measurement"] = measurement_json(*model.measurement);
+    if (model.monitor) root["monitor"] = monitor_json(*model.monitor);
     root["hidden"] = FloatJson::array();
-    for (const HiddenLayer& layer : model.hidden)
-        root["hidden"].push_back({{"weight", rows(layer.weight, layer.n_in)},
-                                  {"gamma", layer.gamma},
-                                  {"beta", layer.beta},
-                                  {"mean", layer.mean},
-                                  {"variance", layer.variance}});
+    for (const HiddenLayer& layer : model.hidden) root["hidden"].push_back(hidden_json(layer));
     root["output"] = {{"weight", rows(model.output.weight, model.output.n_in)},
                       {"bias", model.output.bias}};
     std::string text;

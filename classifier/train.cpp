@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "classifier/adam.hpp"
+#include "classifier/input_monitor.hpp"
 #include "classifier/mlp_network.hpp"
 #include "classifier/standardiser.hpp"
 #include "firmware/fw_mlp.h"
@@ -148,6 +149,7 @@ Model train(const FeatureTable& rows, const TrainOptions& options, const StreamK
     model.class_names = rows.class_names;
     model.input_mean = standardiser.mean;
     model.input_scale = standardiser.scale;
+    model.monitor = fit_input_monitor(rows);
     model.provenance = {{"training rows", format("{}", rows.size())},
                         {"hidden", listed(options.hidden)},
                         {"epochs", format("{}", options.epochs)},

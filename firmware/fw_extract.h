@@ -20,7 +20,14 @@ extern "C" {
 typedef enum fw_integration {
     FW_INTEGRATE_SINGLE, /* chirp 0, rx 0 alone */
     FW_INTEGRATE_MEAN,   /* mean of the amplitudes (not of the signals) over chirps and rx */
+    FW_INTEGRATE_EXPORTED, /* that mean, rounded as in TLV 302 (fw_exported_profile.h) */
 } fw_integration;
+
+/* How a row becomes a spectrum. */
+typedef enum fw_range_path {
+    FW_RANGE_FLOAT,    /* fw_range_profile: fractions of an LSB are kept */
+    FW_RANGE_HWA_LIKE, /* fw_hwa_fft with TI's defaults: whole numbers, as the accelerator gives */
+} fw_range_path;
 
 /* The descriptor: amplitudes of range bins first_bin .. first_bin + n_bins - 1.
  * Valid values: fw_range_config in fw_range_profile.h. */
@@ -28,6 +35,7 @@ typedef struct fw_extract_config {
     uint16_t first_bin, n_bins;
     fw_window window;
     fw_integration integration;
+    fw_range_path path;
 } fw_extract_config;
 
 /* Bytes of scratch fw_extract needs for a frame of this shape, whatever the configuration; its
@@ -42,9 +50,9 @@ size_t fw_extract_scratch(const fw_frame* frame);
  *
  * FW_ERR_NULL     any pointer, or frame->samples, is NULL
  * FW_ERR_SHAPE    a count of the frame out of range, or the window not tabulated for n_samples
- * FW_ERR_CONFIG   no such window or integration, no bins, or bins beyond the spectrum
+ * FW_ERR_CONFIG   no such window, integration or path, no bins, or bins beyond the spectrum
  * FW_ERR_SCRATCH  scratch too small or misaligned
- * Time: one fw_range_profile per row used: 1, or n_chirps * n_rx. */
+ * Time: one fw_range_profile or fw_hwa_fft per row used: 1, or n_chirps * n_rx. */
 fw_status fw_extract(const fw_frame* frame, const fw_extract_config* config, void* scratch,
                      size_t scratch_bytes, float out[]);
 

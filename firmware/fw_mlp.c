@@ -4,6 +4,7 @@
 #include <stdbool.h>
 
 #include "fw_finite.h"
+#include "fw_float_dot.h"
 #include "fw_scratch.h"
 #include "fw_strict_float.h"
 
@@ -29,43 +30,28 @@ static bool has_arrays(const fw_mlp* mlp) {
 }
 
 static void normalise(const fw_mlp* mlp, const float features[], float out[]) {
-    for (size_t i = 0; i < mlp->layer[0].n_in; ++i) {
-        out[i] = mlp->input_mean == NULL ? features[i]
-                                         : (features[i] - mlp->input_mean[i]) * mlp->input_scale[i];
+    const float *mean = mlp->input_mean, *scale = mlp->input_scale;
+    const float* const end = features + mlp->layer[0].n_in;
+    if (mean == NULL) {
+        while (features != end) *out++ = *features++;
+        return;
     }
+    while (features != end) *out++ = (*features++ - *mean++) * *scale++;
 }
 
-/* Four outputs at a time: each input is loaded once for four sums, which do not wait for each
- * other. The order within every sum is that of the plain loop below. */
-static void affine(const fw_layer* layer, const float in[], float out[]) {
+/* A hidden layer is rectified: max(x, 0), except that NaN stays NaN and so reaches the logits,
+ * where it is refused. */
+static void run_layer(const fw_layer* layer, bool hidden, const float in[], float out[]) {
     const size_t n_in = layer->n_in, n_out = layer->n_out;
     const float* row = layer->weight;
     size_t o = 0;
     for (; o + 4 <= n_out; o += 4, row += 4 * n_in) {
-        float sum0 = layer->bias[o], sum1 = layer->bias[o + 1];
-        float sum2 = layer->bias[o + 2], sum3 = layer->bias[o + 3];
-        for (size_t i = 0; i < n_in; ++i) {
-            sum0 += row[i] * in[i];
-            sum1 += row[n_in + i] * in[i];
-            sum2 += row[2 * n_in + i] * in[i];
-            sum3 += row[3 * n_in + i] * in[i];
-        }
-        out[o] = sum0;
-        out[o + 1] = sum1;
-        out[o + 2] = sum2;
-        out[o + 3] = sum3;
+        fw_dot_four_float(row, in, n_in, layer->bias + o, hidden, out + o);
     }
-    for (; o < n_out; ++o, row += n_in) {
+    for (; o < n_out; ++o) {
         float sum = layer->bias[o];
-        for (size_t i = 0; i < n_in; ++i) sum += row[i] * in[i];
-        out[o] = sum;
-    }
-}
-
-/* max(x, 0), except that NaN stays NaN and so reaches the logits, where it is refused. */
-static void rectify(float values[], size_t n) {
-    for (size_t i = 0; i < n; ++i) {
-        if (values[i] < 0.0f) values[i] = 0.0f;
+        for (const float *x = in, *end = in + n_in; x != end; ++x) sum += *row++ * *x;
+        out[o] = hidden && sum < 0.0f ? 0.0f : sum;
     }
 }
 
@@ -86,8 +72,7 @@ fw_status fw_mlp_run(const fw_mlp* mlp, const float features[], void* scratch, s
     float* out = in + width;
     normalise(mlp, features, in);
     for (size_t i = 0; i < mlp->n_layers; ++i) {
-        affine(&mlp->layer[i], in, out);
-        if (i + 1 < mlp->n_layers) rectify(out, mlp->layer[i].n_out);
+        run_layer(&mlp->layer[i], i + 1 < mlp->n_layers, in, out);
         float* const reused = in;
         in = out;
         out = reused;

@@ -15,11 +15,13 @@ namespace {
 constexpr fw_extract_config single{.first_bin = FW_DEFAULT_FIRST_BIN,
                                    .n_bins = FW_DEFAULT_N_BINS,
                                    .window = FW_WINDOW_BLACKMAN,
-                                   .integration = FW_INTEGRATE_SINGLE};
+                                   .integration = FW_INTEGRATE_SINGLE,
+                                   .path = FW_RANGE_FLOAT};
 constexpr fw_extract_config mean{.first_bin = FW_DEFAULT_FIRST_BIN,
                                  .n_bins = FW_DEFAULT_N_BINS,
                                  .window = FW_WINDOW_BLACKMAN,
-                                 .integration = FW_INTEGRATE_MEAN};
+                                 .integration = FW_INTEGRATE_MEAN,
+                                 .path = FW_RANGE_FLOAT};
 
 /// A frame that owns its samples, (chirp, rx, sample).
 struct Recording {
@@ -102,17 +104,21 @@ TEST_CASE("rows of any length from 16 to 1024 are accepted without a window", "[
     const auto out = extract(recording, {.first_bin = 0,
                                          .n_bins = half,
                                          .window = FW_WINDOW_RECT,
-                                         .integration = FW_INTEGRATE_MEAN});
+                                         .integration = FW_INTEGRATE_MEAN,
+                                         .path = FW_RANGE_FLOAT});
     for (const float amplitude : out) CHECK(amplitude > 0);  // the signal is noise in all bins
 }
 
 TEST_CASE("scratch needs no preparation and nothing behind it is written", "[firmware]") {
     const auto recording = random_recording(4, 3, 100);
-    const fw_extract_config config{
-        .first_bin = 0, .n_bins = 64, .window = FW_WINDOW_RECT, .integration = FW_INTEGRATE_MEAN};
+    const fw_extract_config config{.first_bin = 0,
+                                   .n_bins = 64,
+                                   .window = FW_WINDOW_RECT,
+                                   .integration = FW_INTEGRATE_MEAN,
+                                   .path = FW_RANGE_FLOAT};
     const auto frame = recording.view();
     const auto bytes = fw_extract_scratch(&frame);
-    CHECK(bytes == (128 + 64) * sizeof(float));
+    CHECK(bytes == (2 * 128 + 64) * sizeof(float));
     std::vector<float> scratch(bytes / sizeof(float) + 1, std::numeric_limits<float>::quiet_NaN());
     scratch.back() = 42;
     std::vector<float> out(64);
@@ -128,7 +134,7 @@ TEST_CASE("an unsupported frame needs no scratch", "[firmware]") {
         CHECK(fw_extract_scratch(&frame) == 0);
     }
     const fw_frame unread{nullptr, 65535, 65535, 1024};  // a shape has a size without its samples
-    CHECK(fw_extract_scratch(&unread) == 6144);
+    CHECK(fw_extract_scratch(&unread) == 10240);
 }
 
 TEST_CASE("a frame that cannot be extracted leaves the output untouched", "[firmware]") {
@@ -162,9 +168,12 @@ TEST_CASE("a frame that cannot be extracted leaves the output untouched", "[firm
     config.window = static_cast<fw_window>(3);
     CHECK(status_of_config(config) == FW_ERR_CONFIG);
     config = mean;
-    const int no_integration = 2;  // as a C caller could pass it
-    std::memcpy(&config.integration, &no_integration, sizeof no_integration);
-    CHECK(fw_extract(&frame, &config, scratch.data(), bytes, out.data()) == FW_ERR_CONFIG);
+    const int no_such_choice = 3;  // as a C caller could pass it
+    std::memcpy(&config.integration, &no_such_choice, sizeof no_such_choice);
+    CHECK(status_of_config(config) == FW_ERR_CONFIG);
+    config = mean;
+    std::memcpy(&config.path, &no_such_choice, sizeof no_such_choice);
+    CHECK(status_of_config(config) == FW_ERR_CONFIG);
 
     auto* lent = scratch.data();
     CHECK(fw_extract(&frame, &mean, lent, bytes - 1, out.data()) == FW_ERR_SCRATCH);

@@ -15,6 +15,7 @@
 #include "tools/console/console.hpp"
 #include "tools/specula/command_options.hpp"
 #include "tools/specula/commands.hpp"
+#include "tools/specula/firmware_options.hpp"
 #include "tools/specula/home.hpp"
 #include "tools/specula/sweep_options.hpp"
 
@@ -184,6 +185,8 @@ int run_program(int argc, char** argv) {
     EvaluateArguments evaluation;
     evaluation.learning.threads = available_threads();
     add_evaluate(program, evaluation);
+    FirmwareArguments firmware;
+    add_firmware_commands(program, firmware);
     std::string listed, shell = "bash";
     add_command(program, "list", "List what is known by name", "specula list materials")
         ->add_option("KIND", listed, "materials, radars, experiments or sweeps")
@@ -215,6 +218,8 @@ int run_program(int argc, char** argv) {
                 export_recording_command(export_, catalogue);
             if (command == "train") train_command(training);
             if (command == "evaluate") evaluate_command(evaluation);
+            if (is_firmware_command(command) && export_.what.empty())
+                status = run_firmware_command(program, firmware, catalogue);
             if (command == "list") list_command(listed, catalogue);
             if (command == "show") show_command(with_words(show, shown), catalogue);
         }

@@ -8,6 +8,7 @@
 
 #include "classifier/train.hpp"
 #include "scenes/catalogue.hpp"
+#include "tools/firmware/verify_input.hpp"
 #include "tools/sweep/sweep_plan.hpp"
 
 namespace specula {
@@ -97,6 +98,26 @@ struct EvaluateArguments {
     Learning learning;
 };
 void evaluate_command(const EvaluateArguments& arguments);
+
+struct ExportModelArguments {
+    std::filesystem::path model;
+    std::filesystem::path blob;  ///< files to write; empty: none
+    std::filesystem::path c_source;
+    std::filesystem::path onnx;
+    std::string arithmetic = "float";  ///< of blob and C array: "float", "int16" or "int8"
+};
+void export_model_command(const ExportModelArguments& arguments);
+
+/// The exit status: 0, or 1 where builds of the firmware differ or cost more than their budget.
+int verify_firmware_command(const VerifyRequest& request, const Catalogue& catalogue);
+
+struct LatencyArguments {
+    std::filesystem::path experiment;  ///< a file
+    std::filesystem::path out;         ///< folder for table and figure
+    int worlds = 8;
+    int threads = 1;
+};
+void latency_command(const LatencyArguments& arguments, const Catalogue& catalogue);
 
 /// @in shell  "bash" or "zsh"
 void completion_command(const std::string& shell, const std::vector<std::string>& commands);

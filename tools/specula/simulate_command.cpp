@@ -68,7 +68,8 @@ std::vector<float> range_profile(const AdcFrame& frame, std::uint16_t n_bins) {
     const fw_extract_config config{.first_bin = 0,
                                    .n_bins = n_bins,
                                    .window = has_window ? FW_WINDOW_BLACKMAN : FW_WINDOW_RECT,
-                                   .integration = FW_INTEGRATE_MEAN};
+                                   .integration = FW_INTEGRATE_MEAN,
+                                   .path = FW_RANGE_FLOAT};
     std::vector<float> profile(n_bins);
     std::vector<float> scratch(fw_extract_scratch(&view) / sizeof(float) + 1);
     SPECULA_EXPECT(fw_extract(&view, &config, scratch.data(), scratch.size() * sizeof(float),

@@ -15,6 +15,12 @@ Extent read_extent(Section& section) {
             .epochs = section.count("epochs", Range::between(1, 10000))};
 }
 
+fw_integration integration_of(const std::string& name) {
+    return name == "mean"     ? FW_INTEGRATE_MEAN
+           : name == "single" ? FW_INTEGRATE_SINGLE
+                              : FW_INTEGRATE_EXPORTED;
+}
+
 fw_extract_config read_descriptor(Section section, const Radar& radar) {
     const int last_bin = radar.chirp.n_samples / 2;
     const int first =
@@ -36,12 +42,15 @@ fw_extract_config read_descriptor(Section section, const Radar& radar) {
             "window",
             format("the firmware has no {} window of {} samples", name, radar.chirp.n_samples),
             "write \"rectangular\", or choose a radar with 64, 128, 256 or 512 samples");
-    const std::string integration = section.choice("integration", {"mean", "single"}, "mean");
+    const std::string integration =
+        section.choice("integration", {"mean", "single", "exported"}, "mean");
+    const std::string path = section.choice("range_fft", {"float", "hwa-like"}, "float");
     section.finish();
     return {.first_bin = static_cast<std::uint16_t>(first),
             .n_bins = static_cast<std::uint16_t>(n),
             .window = window,
-            .integration = integration == "mean" ? FW_INTEGRATE_MEAN : FW_INTEGRATE_SINGLE};
+            .integration = integration_of(integration),
+            .path = path == "float" ? FW_RANGE_FLOAT : FW_RANGE_HWA_LIKE};
 }
 
 TrainOptions read_classifier(Section section) {

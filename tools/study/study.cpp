@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "classifier/export_c.hpp"
+#include "classifier/measurement.hpp"
 #include "classifier/model_file.hpp"
 #include "sim/core/atomic_file.hpp"
 #include "sim/core/error.hpp"
@@ -159,8 +160,10 @@ std::string c_name(const std::string& experiment) {
     return name.substr(0, 32);
 }
 
-void write_models(const std::vector<Model>& models, const Experiment& experiment,
+void write_models(std::vector<Model>& models, const Experiment& experiment,
                   const fs::path& out) {
+    for (Model& model : models)
+        model.measurement = measurement_of(experiment.radar, experiment.descriptor);
     for (std::size_t world = 0; world < models.size(); ++world)
         write_model(models[world], out / "models" / format("world_{:03}.json", world));
     const ExportedModel exported = export_c(models.front(), c_name(experiment.name));

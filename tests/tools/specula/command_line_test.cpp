@@ -10,8 +10,9 @@
 namespace specula {
 namespace {
 
-const std::vector<std::string> commands{"study",  "simulate", "validate", "import", "export",
-                                        "train",  "evaluate", "list",     "show",   "completion"};
+const std::vector<std::string> commands{
+    "study",  "simulate", "show",            "sweep",   "validate", "import",    "export",
+    "train",  "evaluate", "verify-firmware", "latency", "list",     "completion"};
 
 bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;

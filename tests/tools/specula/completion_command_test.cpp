@@ -30,7 +30,7 @@ TEST_CASE("the completion script is valid and completes", "[program][completion]
 
     const std::string program = "'" SPECULA_BINARY "' ";
     CHECK(offered(folder, program + "s").find("study\nsimulate\n") != std::string::npos);
-    CHECK(offered(folder, program + "l") == "list\n");
+    CHECK(offered(folder, program + "li") == "list\n");
     CHECK(offered(folder, program + "list r") == "radars\n");
     CHECK(offered(folder, program + "completion z") == "zsh\n");
     CHECK(offered(folder, program + "study --q") == "--quick\n");

@@ -1,0 +1,213 @@
+#include "classifier/model_blob.hpp"
+
+#include <cstring>
+#include <limits>
+
+#include "classifier/export_c.hpp"
+#include "classifier/folded_model.hpp"
+#include "classifier/integer_model.hpp"
+#include "firmware/fw_bytes.h"
+#include "firmware/fw_crc32.h"
+#include "sim/core/error.hpp"
+#include "sim/core/expect.hpp"
+#include "sim/core/format.hpp"
+
+namespace specula {
+
+namespace {
+
+constexpr std::size_t start_bytes = 16;  // magic, version, reserved, length, CRC
+
+/// Bytes that grow, little-endian.
+class BlobWriter {
+  public:
+    void u16(std::uint16_t value) {
+        bytes_.resize(bytes_.size() + 2);
+        fw_write_u16(bytes_.data() + bytes_.size() - 2, value);
+    }
+    void u32(std::uint32_t value) {
+        bytes_.resize(bytes_.size() + 4);
+        fw_write_u32(bytes_.data() + bytes_.size() - 4, value);
+    }
+    void f32(float value) {
+        bytes_.resize(bytes_.size() + 4);
+        fw_write_f32(bytes_.data() + bytes_.size() - 4, value);
+    }
+    void floats(const std::vector<float>& values) {
+        for (const float value : values) f32(value);
+    }
+    void words(const std::vector<std::int32_t>& values) {
+        for (const std::int32_t value : values) u32(static_cast<std::uint32_t>(value));
+    }
+    void name(const std::string& text) {
+        for (std::size_t i = 0; i < FW_MODEL_NAME_BYTES; ++i)
+            bytes_.push_back(i < text.size() ? static_cast<std::uint8_t>(text[i]) : 0);
+    }
+    void byte(std::int8_t value) { bytes_.push_back(static_cast<std::uint8_t>(value)); }
+    void pad() { bytes_.resize((bytes_.size() + 3) / 4 * 4); }
+    std::vector<std::uint8_t>& bytes() { return bytes_; }
+
+  private:
+    std::vector<std::uint8_t> bytes_;
+};
+
+void check(const Model& model) {
+    if (!model.measurement)
+        throw InputError(
+            "measurement: the model does not say which chirp and bins it was trained on; "
+            "train it again, or export it as --onnx");
+    if (model.n_features() > FW_MODEL_MAX_FEATURES)
+        throw InputError(
+            format("input_mean = [{} values]: more features than the firmware takes; "
+                   "use at most {}",
+                   model.n_features(), FW_MODEL_MAX_FEATURES));
+    if (model.n_classes() > FW_MODEL_MAX_CLASSES)
+        throw InputError(
+            format("class_names = [{} values]: more classes than the firmware takes; "
+                   "use at most {}",
+                   model.n_classes(), FW_MODEL_MAX_CLASSES));
+    for (const std::string& name : model.class_names)
+        if (name.empty() || name.size() >= FW_MODEL_NAME_BYTES ||
+            name.find('\0') != std::string::npos)
+            throw InputError(
+                format("class_names = \"{}\": does not fit the firmware; use 1 to {} "
+                       "bytes",
+                       name, FW_MODEL_NAME_BYTES - 1));
+    if (model.measurement->descriptor.n_bins != model.n_features())
+        throw InputError(
+            format("measurement.n_bins = {}: but the model takes {} features; train "
+                   "it again",
+                   model.measurement->descriptor.n_bins, model.n_features()));
+}
+
+void write_chirp(const fw_chirp& chirp, BlobWriter& out) {
+    out.u32(chirp.start_khz);
+    out.u32(static_cast<std::uint32_t>(chirp.slope_khz_us));
+    out.u32(chirp.sample_rate_hz);
+    for (const std::uint16_t value :
+         {chirp.n_samples, chirp.skip_samples, chirp.n_rx, chirp.n_chirps, chirp.high_pass_hz_10,
+          static_cast<std::uint16_t>(chirp.gain_db_100), chirp.adc_bits})
+        out.u16(value);
+}
+
+struct NetworkFacts {
+    std::vector<std::uint16_t> widths;
+    float input_levels = 0.0f;
+};
+
+void write_facts(const Model& model, fw_arithmetic arithmetic, const NetworkFacts& network,
+                 BlobWriter& out) {
+    const fw_extract_config& descriptor = model.measurement->descriptor;
+    out.u16(static_cast<std::uint16_t>(arithmetic));
+    out.u16(model.monitor ? 1 : 0);
+    out.u16(static_cast<std::uint16_t>(network.widths.size()));
+    out.u16(static_cast<std::uint16_t>(model.n_features()));
+    out.u16(static_cast<std::uint16_t>(model.n_classes()));
+    out.u16(0);
+    out.u16(descriptor.first_bin);
+    out.u16(descriptor.n_bins);
+    out.u16(static_cast<std::uint16_t>(descriptor.window));
+    out.u16(static_cast<std::uint16_t>(descriptor.integration));
+    out.u16(static_cast<std::uint16_t>(descriptor.path));
+    out.u16(0);  // normalisation: this program trains on amplitudes as they are
+    out.f32(0.0f);
+    out.f32(0.0f);
+    out.u16(descriptor.first_bin);
+    out.u16(descriptor.n_bins);
+    write_chirp(model.measurement->chirp, out);
+    for (std::size_t l = 0; l < FW_MLP_MAX_LAYERS; ++l)
+        out.u16(l < network.widths.size() ? network.widths[l] : 0);
+    out.u16(0);
+    out.f32(network.input_levels);
+    out.f32(model.monitor ? model.monitor->suspicious_squared : 0.0f);
+    out.u32(0);
+}
+
+void write_real(const FoldedModel& folded, BlobWriter& out) {
+    out.floats(folded.input_mean);
+    out.floats(folded.input_scale);
+    for (const AffineLayer<float>& layer : folded.layers) {
+        out.floats(layer.weight);
+        out.floats(layer.bias);
+    }
+}
+
+void write_integers(const IntegerModel& integers, BlobWriter& out) {
+    out.floats(integers.input_mean);
+    out.floats(integers.input_scale);
+    for (const IntegerLayer& layer : integers.layers) {
+        for (const std::int8_t value : layer.bytes) out.byte(value);
+        for (const std::int16_t value : layer.halves) out.u16(static_cast<std::uint16_t>(value));
+        out.pad();
+        out.words(layer.bias);
+        out.words(layer.multiplier);
+        out.words(layer.shift);
+        out.floats(layer.scale);
+    }
+}
+
+void close(BlobWriter& out) {
+    std::vector<std::uint8_t>& bytes = out.bytes();
+    fw_write_u32(bytes.data() + 8, static_cast<std::uint32_t>(bytes.size()));
+    fw_write_u32(bytes.data() + 12,
+                 fw_crc32(bytes.data() + start_bytes, bytes.size() - start_bytes));
+}
+
+/// std::vector's memory suits any type, so it is aligned as fw_model_open wants it.
+void expect_opens(const std::vector<std::uint8_t>& blob) {
+    fw_model opened;
+    const fw_status status = fw_model_open(blob.data(), blob.size(), &opened);
+    if (status != FW_OK)
+        throw InputError(
+            format("measurement: the firmware refuses this model ({}); its numbers "
+                   "or bins are out of range",
+                   fw_status_name(status)));
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> model_blob(const Model& model, fw_arithmetic arithmetic) {
+    check(model);
+    const FoldedModel folded = fold(model);
+    NetworkFacts network;
+    for (const AffineLayer<float>& layer : folded.layers)
+        network.widths.push_back(static_cast<std::uint16_t>(layer.n_out));
+    std::optional<IntegerModel> integers;
+    if (arithmetic != FW_ARITHMETIC_FLOAT) {
+        integers = quantise(model, arithmetic == FW_ARITHMETIC_INT8 ? FW_INT8 : FW_INT16);
+        network.input_levels = integers->input_levels;
+    }
+    BlobWriter out;
+    for (const char letter : {'R', 'F', 'W', 'M'}) out.byte(static_cast<std::int8_t>(letter));
+    out.u16(1);
+    out.u16(0);
+    out.u32(0);
+    out.u32(0);
+    write_facts(model, arithmetic, network, out);
+    for (const std::string& name : model.class_names) out.name(name);
+    integers ? write_integers(*integers, out) : write_real(folded, out);
+    if (model.monitor) {
+        out.floats(model.monitor->mean);
+        out.floats(model.monitor->whitening);
+        out.floats(model.monitor->centre);
+    }
+    close(out);
+    expect_opens(out.bytes());
+    return out.bytes();
+}
+
+std::string blob_as_c(const std::vector<std::uint8_t>& blob, const std::string& name) {
+    check_c_name(name);
+    constexpr std::size_t per_line = 16;
+    std::string text = format(
+        "/* Generated by `specula export model`; do not edit. */\n#include <stddef.h>\n\n"
+        "extern const unsigned char {0}[{1}];\nextern const size_t {0}_bytes;\n\n"
+        "const size_t {0}_bytes = {1};\n"
+        "_Alignas(4) const unsigned char {0}[{1}] = {{",
+        name, blob.size());
+    for (std::size_t i = 0; i < blob.size(); ++i)
+        text += format("{}0x{:02x},", i % per_line == 0 ? "\n    " : " ", blob[i]);
+    return text + "\n};\n";
+}
+
+}  // namespace specula

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+
+#include "classifier/json_field.hpp"
+#include "classifier/model.hpp"
+
+namespace specula {
+
+/// The optional parts of a model file; reading throws InputError as JsonField does.
+
+FloatJson batch_norm_json(const BatchNorm& norm);
+BatchNorm read_batch_norm(const JsonField& field, std::size_t n);
+
+FloatJson measurement_json(const Measurement& measurement);
+Measurement read_measurement(const JsonField& field);
+
+struct MonitorShape {
+    std::size_t n_features = 0;
+    std::size_t n_classes = 0;
+};
+FloatJson monitor_json(const InputMonitor& monitor);
+InputMonitor read_monitor(const JsonField& field, const MonitorShape& shape);
+
+}  // namespace specula

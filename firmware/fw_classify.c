@@ -1,0 +1,95 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "fw_classify.h"
+
+#include "fw_scratch.h"
+#include "fw_softmax.h"
+#include "fw_strict_float.h"
+
+static size_t larger(size_t a, size_t b) {
+    return a > b ? a : b;
+}
+
+static size_t network_scratch(const fw_model* model) {
+    return model->arithmetic == FW_ARITHMETIC_FLOAT ? fw_mlp_scratch(&model->real)
+                                                    : fw_int_mlp_scratch(&model->whole);
+}
+
+static size_t extract_scratch(const fw_model* model) {
+    const fw_frame shape = {.samples = NULL,
+                            .n_chirps = model->chirp.n_chirps,
+                            .n_rx = model->chirp.n_rx,
+                            .n_samples = model->chirp.n_samples};
+    return fw_extract_scratch(&shape);
+}
+
+/* The profile in which a peak is looked for, then what its extraction or the network needs. */
+size_t fw_classify_scratch(const fw_model* model) {
+    if (model == NULL) return 0;
+    return model->n_search * sizeof(float) + larger(extract_scratch(model), network_scratch(model));
+}
+
+fw_status fw_describe(const fw_model* model, const fw_frame* frame, void* scratch,
+                      size_t scratch_bytes, float features[]) {
+    if (model == NULL || frame == NULL || scratch == NULL || features == NULL) return FW_ERR_NULL;
+    if (frame->samples == NULL) return FW_ERR_NULL;
+    const fw_status refused = fw_model_accepts_frame(model, frame);
+    if (refused != FW_OK) return refused;
+    if (!fw_scratch_fits(scratch, scratch_bytes, fw_classify_scratch(model))) {
+        return FW_ERR_SCRATCH;
+    }
+    float* const profile = scratch;
+    fw_extract_config wide = model->descriptor;
+    wide.first_bin = model->search_first;
+    wide.n_bins = model->n_search;
+    const fw_status failed =
+        fw_extract(frame, &wide, profile + model->n_search, extract_scratch(model), profile);
+    if (failed != FW_OK) return failed;
+    const fw_bins bins = {
+        .amplitude = profile, .first_bin = model->search_first, .n_bins = model->n_search};
+    return fw_normalise(&bins, &model->normalise, model->descriptor.first_bin, model->n_features,
+                        features);
+}
+
+fw_status fw_infer(const fw_model* model, const float features[], void* scratch,
+                   size_t scratch_bytes, float logits[], float probabilities[]) {
+    if (model == NULL) return FW_ERR_NULL;
+    return model->arithmetic == FW_ARITHMETIC_FLOAT
+               ? fw_mlp_run(&model->real, features, scratch, scratch_bytes, logits, probabilities)
+               : fw_int_mlp_run(&model->whole, features, scratch, scratch_bytes, logits,
+                                probabilities);
+}
+
+static fw_status judge(const fw_model* model, fw_result* result) {
+    result->label = fw_argmax(result->logits, model->n_classes);
+    result->probability = result->probabilities[result->label];
+    result->max_logit = fw_max_logit(result->logits, model->n_classes);
+    const fw_status failed = fw_energy(result->logits, model->n_classes, &result->energy);
+    if (failed != FW_OK) return failed;
+    const bool bad_frame = result->quality.n_saturated > 0 || result->quality.n_dead_rows > 0;
+    result->suspicious = bad_frame;
+    if (!model->has_monitor) return FW_OK;
+    const fw_status lost =
+        fw_mahalanobis_squared(&model->monitor, result->features, &result->squared);
+    if (lost == FW_OK)
+        result->suspicious = bad_frame || result->squared > model->suspicious_squared;
+    return lost;
+}
+
+fw_status fw_classify(const fw_model* model, const fw_frame* frame, void* scratch,
+                      size_t scratch_bytes, fw_result* result) {
+    if (model == NULL || frame == NULL || scratch == NULL || result == NULL) return FW_ERR_NULL;
+    if (frame->samples == NULL) return FW_ERR_NULL;
+    fw_result found = {0};
+    fw_status status = fw_model_accepts_frame(model, frame);
+    if (status == FW_OK) status = fw_frame_inspect(frame, model->chirp.adc_bits, &found.quality);
+    if (status == FW_OK) {
+        status = fw_describe(model, frame, scratch, scratch_bytes, found.features);
+    }
+    if (status == FW_OK) {
+        status = fw_infer(model, found.features, scratch, scratch_bytes, found.logits,
+                          found.probabilities);
+    }
+    if (status == FW_OK) status = judge(model, &found);
+    if (status == FW_OK) *result = found;
+    return status;
+}

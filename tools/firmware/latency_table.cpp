@@ -1,0 +1,83 @@
+#include "sim/core/format.hpp"
+#include "tools/firmware/latency_study.hpp"
+#include "tools/report/csv_table.hpp"
+
+namespace specula {
+
+namespace {
+
+constexpr double cycles_per_us = 160.0;
+constexpr double budget_us = 20.0;
+
+std::string shape_of(const LatencyPoint& point) {
+    std::string text = "12";
+    for (const int units : point.hidden) text += format("-{}", units);
+    return text + "-5";
+}
+
+const char* fit_of(const LatencyPoint& point) {
+    if (point.cycles.high <= budget_us * cycles_per_us) return "yes";
+    return point.cycles.low <= budget_us * cycles_per_us ? "perhaps" : "no";
+}
+
+std::string percent(const Interval& interval) {
+    return format("{:.1f} [{:.1f}, {:.1f}]", 100.0 * interval.mean, 100.0 * interval.low,
+                  100.0 * interval.high);
+}
+
+std::string points_of(const PairedDifference& difference) {
+    return format("{:+.1f} [{:+.1f}, {:+.1f}]", 100.0 * difference.value.mean,
+                  100.0 * difference.value.low, 100.0 * difference.value.high);
+}
+
+}  // namespace
+
+std::string latency_text(const LatencyStudy& study) {
+    std::string text = format(
+        "{} worlds of {}, {} epochs; macro-F1 in percent with 95 % interval over worlds; losses "
+        "are "
+        "paired, in points,\nagainst the largest network in float32. Time of network and softmax "
+        "at "
+        "160 MHz: an ESTIMATE (specula verify-firmware says how).\n\n",
+        study.worlds, study.experiment, study.epochs);
+    text += format("{:<12}{:<9}{:>6}{:>8}{:>7}{:>15}  {:<8} {:<20}{:<20}{:<20}{:<20}\n", "network",
+                   "", "MACs", "bytes", "insn", "us", "<= 20 us", "nominal", "re-recorded",
+                   "loss, nominal", "loss, re-recorded");
+    for (const LatencyPoint& point : study.points)
+        text += format("{:<12}{:<9}{:>6}{:>8}{:>7.0f}{:>15}  {:<8} {:<20}{:<20}{:<20}{:<20}\n",
+                       shape_of(point), point.arithmetic, point.n_multiplications,
+                       point.model_bytes, point.instructions,
+                       format("{:.1f} to {:.1f}", point.cycles.low / cycles_per_us,
+                              point.cycles.high / cycles_per_us),
+                       fit_of(point), percent(point.nominal), percent(point.rerecorded),
+                       points_of(point.nominal_loss), points_of(point.rerecorded_loss));
+    return text;
+}
+
+std::string latency_csv(const LatencyStudy& study) {
+    CsvTable table({"network", "arithmetic", "multiplications", "model_bytes", "instructions",
+                    "cycles_low", "cycles_high", "us_low", "us_high", "fits_20_us",
+                    "nominal_macro_f1", "rerecorded_macro_f1", "nominal_loss", "nominal_loss_low",
+                    "nominal_loss_high", "rerecorded_loss", "rerecorded_loss_low",
+                    "rerecorded_loss_high"});
+    for (const LatencyPoint& point : study.points) {
+        std::vector<std::string> row{shape_of(point), point.arithmetic};
+        for (const std::size_t count : {point.n_multiplications, point.model_bytes})
+            row.push_back(format("{}", count));
+        for (const double value :
+             {point.instructions, point.cycles.low, point.cycles.high,
+              point.cycles.low / cycles_per_us, point.cycles.high / cycles_per_us})
+            row.push_back(format("{:.6g}", value));
+        row.push_back(fit_of(point));
+        for (const double value :
+             {point.nominal.mean, point.rerecorded.mean, point.nominal_loss.value.mean,
+              point.nominal_loss.value.low, point.nominal_loss.value.high,
+              point.rerecorded_loss.value.mean, point.rerecorded_loss.value.low,
+              point.rerecorded_loss.value.high})
+            row.push_back(format("{:.6g}", value));
+        table.add(row);
+    }
+    return table.text();
+}
+
+}  // namespace specula

@@ -1,0 +1,99 @@
+#include "tools/firmware/verify_report.hpp"
+
+#include "sim/core/format.hpp"
+
+namespace specula {
+
+namespace {
+
+constexpr double clock_hz = 160e6;
+
+std::string shape_of(const Model& model) {
+    std::string text = format("{}", model.n_features());
+    for (const HiddenLayer& layer : model.hidden) text += format("-{}", layer.n_out);
+    return text + format("-{}", model.n_classes());
+}
+
+std::string mismatch_row(const std::string& name, const VariantResult& result,
+                         const Mismatches& found) {
+    return format("  {:<28}{:>8}{:>10}{:>9}{:>15}{:>9}{:>12}\n", name, result.n_frames,
+                  found.features, found.logits, found.probabilities, found.rest, found.uart_bytes);
+}
+
+std::string comparison_table(const Verification& verification) {
+    const std::string head =
+        format("  {:<28}{:>8}{:>10}{:>9}{:>15}{:>9}{:>12}\n", "", "frames", "features", "logits",
+               "probabilities", "the rest", "UART bytes");
+    std::string text = "Mismatches, host build against emulated Cortex-M4F (bit for bit):\n" + head;
+    for (const VariantResult& result : verification.variants)
+        text += mismatch_row(result.variant.name, result, result.host_target);
+    text += "Mismatches, host build against the library inside this program:\n" + head;
+    for (const VariantResult& result : verification.variants)
+        text += mismatch_row(result.variant.name, result, result.host_library);
+    std::size_t uart = 0, failed = 0;
+    for (const VariantResult& result : verification.variants) {
+        uart += result.n_uart_bytes;
+        failed += result.n_failed;
+    }
+    return text + format(
+                      "  {} UART bytes in all; {} frames refused by the firmware; the self-test "
+                      "passed on both machines\n",
+                      uart, failed);
+}
+
+std::string stage_row(const std::string& stage, const StageCost& cost) {
+    const double us = 1e6 / clock_hz;
+    return format("  {:<28}{:>14.0f}{:>10.0f} to {:<8.0f}{:>9.1f} to {:<7.1f}\n", stage,
+                  cost.instructions, cost.cycles.low, cost.cycles.high, us * cost.cycles.low,
+                  us * cost.cycles.high);
+}
+
+std::string stage_table(const Verification& verification) {
+    std::string text = format("Cost on the Cortex-M4F, per frame:\n  {:<28}{:>14}{:>20}{:>21}\n",
+                              "", "instructions", "cycles, estimated", "us at 160 MHz, est.");
+    for (const auto& [stage, cost] : verification.stages.at("float32"))
+        text += stage_row(stage == "network" ? "network, float32" : stage, cost);
+    for (const char* arithmetic : {"int16", "int8"})
+        text += stage_row(format("network, {}", arithmetic),
+                          verification.stages.at(arithmetic).at("network"));
+    return text +
+           "  Instructions are counted by QEMU and exact. Cycles and times are an ESTIMATE: the\n"
+           "  executed instructions, priced between the best and the worst case of Arm's "
+           "Cortex-M4\n"
+           "  manual, without wait states; never measured on the chip, which has no cycle "
+           "counter.\n"
+           "  hwa_fft is done by the accelerator on the chip and emulated on the processor here.\n";
+}
+
+std::string size_table(const Verification& verification) {
+    std::string text =
+        format("Bytes of the library, from the linker's map:\n  {:<28}{:>8}{:>11}{:>7}\n", "",
+               "code", "constants", "RAM");
+    ModuleSize sum;
+    for (const auto& [name, size] : verification.modules) {
+        text += format("  {:<28}{:>8}{:>11}{:>7}\n", name, size.code, size.constants, size.ram);
+        sum.code += size.code;
+        sum.constants += size.constants;
+        sum.ram += size.ram;
+    }
+    text += format("  {:<28}{:>8}{:>11}{:>7}\n", "together", sum.code, sum.constants, sum.ram);
+    text += format("  model blob {}, scratch {}, deepest stack {} (", verification.model_bytes,
+                   verification.scratch_bytes, verification.stack.bytes);
+    for (std::size_t i = 0; i < verification.stack.path.size(); ++i) {
+        const std::string& function = verification.stack.path[i];
+        text += (i == 0 ? "" : " > ") + function.substr(function.rfind(':') + 1);
+    }
+    return text + ")\n";
+}
+
+}  // namespace
+
+std::string verify_report(const VerifyInput& input, const Verification& verification) {
+    return format("{} frames of {} x {} x {} (chirps, antennas, samples), {}\nnetwork {}, {}\n\n",
+                  input.frames.n_frames(), input.frames.n_chirps, input.frames.n_rx,
+                  input.frames.n_samples, input.frames_are, shape_of(input.model), input.model_is) +
+           comparison_table(verification) + "\n" + stage_table(verification) + "\n" +
+           size_table(verification);
+}
+
+}  // namespace specula
