@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "sim/core/constants.hpp"
+#include "sim/core/format.hpp"
 
 namespace specula {
 
@@ -37,14 +38,37 @@ double PatchPattern::gain(const Vector3& direction) const {
 
 PatchPattern PatchPattern::read(Section& section) {
     const Range angle = Range::inside(0.0, pi / 2.0);
-    return {
+    const PatchPattern patch{
         .gain_dbi = section.quantity("gain", Unit::gain_dbi, Range::between(-30.0, 30.0)),
         .half_width_azimuth_rad = section.quantity("half_width_azimuth", Unit::angle, angle),
         .half_width_elevation_rad = section.quantity("half_width_elevation", Unit::angle, angle)};
+    if (const double share = radiated_share(patch); share > largest_radiated_share)
+        section.fail_quantity("gain", Unit::gain_dbi,
+                              format("radiates {:.3g} times the power it is fed", share),
+                              format("at these widths at most {:.4g} dBi is passive",
+                                     patch.gain_dbi - 10.0 * std::log10(share)));
+    return patch;
 }
 
 double gain_towards(const Pattern& pattern, const Vector3& direction) {
     return std::visit([&](const auto& p) { return p.gain(direction); }, pattern);
+}
+
+double radiated_share(const Pattern& pattern) {
+    constexpr int n_elevations = 90;
+    constexpr double step_rad = pi / n_elevations;
+    double sum = 0.0;
+    for (int e = 0; e < n_elevations; ++e) {
+        const double elevation_rad = (e + 0.5) * step_rad - 0.5 * pi;
+        const double ring = std::cos(elevation_rad) * step_rad * step_rad;
+        for (int a = 0; a < 2 * n_elevations; ++a) {
+            const double azimuth_rad = (a + 0.5) * step_rad - pi;
+            sum += ring * gain_towards(pattern, {std::cos(elevation_rad) * std::sin(azimuth_rad),
+                                                 std::sin(elevation_rad),
+                                                 -std::cos(elevation_rad) * std::cos(azimuth_rad)});
+        }
+    }
+    return sum / (4.0 * pi);
 }
 
 Vector3 field_pattern(const Pattern& pattern, const Vector3& direction) {

@@ -3,6 +3,7 @@
 #include <string_view>
 #include <variant>
 
+#include "scenes/antenna_table.hpp"
 #include "scenes/vector3.hpp"
 #include "sim/core/document.hpp"
 
@@ -30,10 +31,16 @@ struct PatchPattern {
     static PatchPattern read(Section& section);
 };
 
-using Pattern = std::variant<IsotropicPattern, PatchPattern>;
+using Pattern = std::variant<IsotropicPattern, PatchPattern, TablePattern>;
 
 /// Linear gain towards a unit direction in the radar's own frame (boresight -z).
 double gain_towards(const Pattern& pattern, const Vector3& direction);
+
+/// The power that a pattern radiates over the power it is fed: the mean of its gain over all
+/// directions, by a midpoint rule of two degrees. More than 1 is no passive antenna.
+double radiated_share(const Pattern& pattern);
+/// With room for the rule and for rounded datasheets.
+inline constexpr double largest_radiated_share = 1.01;
 
 /// Effective polarisation of an antenna polarised along +y of the radar's frame: the transverse
 /// part of y, normalised, times sqrt(gain). Its squared length is the gain.
