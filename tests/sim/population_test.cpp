@@ -21,7 +21,6 @@ material = "plexiglass"
 thickness_mm = { factor = [5.0, 1.04] }
 bow_mm = { uniform = [-0.5, 0.5] }
 permittivity_factor = { normal = [1.0, 0.01] }
-correlation_length_mm = { factor = [2.0, 2.0] }
 
 [[class]]
 name = "board"
@@ -85,6 +84,16 @@ TEST_CASE("a law that is not given is the nominal value alone", "[sim]") {
     CHECK(population.frame.displacement_m.spread() == Approx(35e-6));
     CHECK(population.world_clutter.points == 0);
     CHECK(population.session_clutter.points == 0);
+}
+
+TEST_CASE("heights of a class have a law of their correlation", "[sim]") {
+    const std::string text = replaced(two_classes, "thickness_mm = 18",
+                                      "thickness_mm = 18\n"
+                                      "correlation_length_mm = { factor = [2.0, 1.5] }");
+    const Population population = read(text + laws);
+    CHECK(population.classes[0].correlation_m.median() == SampleLayer::usual_correlation_m);
+    CHECK(population.classes[1].correlation_m.median() == Approx(0.002));
+    CHECK(population.classes[1].correlation_m.spread() == Approx(std::log(1.5)));
 }
 
 TEST_CASE("the room's two laws are told apart", "[sim]") {

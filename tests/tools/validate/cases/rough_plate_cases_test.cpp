@@ -13,7 +13,7 @@ namespace {
 using Json = nlohmann::json;
 using C = std::complex<double>;
 
-constexpr double side_m = 0.12, height_m = 0.3, frequency_hz = 58e9;
+constexpr double side_m = 0.09, height_m = 0.3, frequency_hz = 58e9;
 constexpr double rms_m = 1.5e-4, correlation_m = 4e-3, step_m = 1.5e-3;
 constexpr int n_surfaces = 40;
 const double k = two_pi * frequency_hz / speed_of_light_m_s;
@@ -96,13 +96,12 @@ TEST_CASE("another rough plate scatters as a sum over made-up heights says", "[v
     check_passes(plate);
     Json wrong = plate;
     Json& expected = wrong["points"][0]["expect"];
-    expected["incoherent_power_rel_smooth_db"] =
-        expected["incoherent_power_rel_smooth_db"].get<double>() + 4.0;
-    CHECK(validated(wrong).verdict() == Verdict::fail);
-    wrong = plate;
-    wrong["points"][0]["expect"]["ament_prediction_db"] =
-        plate["points"][0]["expect"]["ament_prediction_db"].get<double>() + 0.6;
-    CHECK(validated(wrong).verdict() == Verdict::fail);
+    for (const auto& [name, off_db] : {std::pair{"incoherent_power_rel_smooth_db", 4.0},
+                                       {"ament_prediction_db", 0.6}})
+        expected[name] = expected[name].get<double>() + off_db;
+    for (const Quantity& quantity : validated(wrong).points.front().quantities)
+        CHECK(quantity.passes() == (quantity.name != "incoherent_power_rel_smooth_db" &&
+                                    quantity.name != "ament_prediction_db"));
     wrong = plate;
     wrong["points"][0]["inp"]["correlation"] = "exponential exp(-r/lc)";
     CHECK(validated(wrong).verdict() == Verdict::not_computable);
