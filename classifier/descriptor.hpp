@@ -25,7 +25,8 @@ struct Descriptor {
     fw_extract_config bins{.first_bin = FW_DEFAULT_FIRST_BIN,
                            .n_bins = FW_DEFAULT_N_BINS,
                            .window = FW_WINDOW_BLACKMAN,
-                           .integration = FW_INTEGRATE_MEAN};
+                           .integration = FW_INTEGRATE_MEAN,
+                           .path = FW_RANGE_FLOAT};
 
     /// One line that read_descriptor takes back, e.g. "range_bins 6 12 blackman".
     std::string text() const;

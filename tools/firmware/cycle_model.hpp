@@ -9,6 +9,9 @@
 
 namespace specula {
 
+/// The IWRL6432's Cortex-M4F runs at 160 MHz (SWRS298).
+inline constexpr double cycles_per_us = 160.0;
+
 /// Processor cycles, between what the processor's manual allows at best and at worst.
 struct CycleRange {
     double low = 0.0;

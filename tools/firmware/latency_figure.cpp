@@ -9,7 +9,6 @@ namespace specula {
 
 namespace {
 
-constexpr double cycles_per_us = 160.0;
 constexpr Canvas canvas{.width_px = 640, .height_px = 400};
 constexpr PixelBox area{.left = 62, .top = 62, .right = 620, .bottom = 346};
 const std::vector<std::string> arithmetics{"float32", "int16", "int8"};

@@ -6,7 +6,6 @@ namespace specula {
 
 namespace {
 
-constexpr double cycles_per_us = 160.0;
 constexpr double budget_us = 20.0;
 
 std::string shape_of(const LatencyPoint& point) {
