@@ -4,6 +4,7 @@
 
 #include "sim/channel/diffuse_power.hpp"
 #include "sim/channel/path.hpp"
+#include "sim/every_tx.hpp"
 #include "sim/scene_target.hpp"
 #include "sim/speckle_echo.hpp"
 #include "sim/trace/trace.hpp"
@@ -49,6 +50,12 @@ std::vector<RoughBody> rough_bodies(const Scene& scene, const Stage& stage) {
 }  // namespace
 
 Channel echo_channel(const Scene& scene, const Library& materials) {
+    if (scene.radar.n_tx() > 1)
+        return channel_of_every_tx(scene.radar, [&](const Radar& one) {
+            Scene with_one = scene;
+            with_one.radar = one;
+            return echo_channel(with_one, materials);
+        });
     const Stage stage(scene, materials);
     Scatter scatter = trace(stage.target, stage.antennas, stage.settings);
     for (const RoughBody& body : rough_bodies(scene, stage))
@@ -75,6 +82,9 @@ MeanEcho mean_echo(const Scene& scene, const Library& materials) {
 }
 
 Channel leakage_channel(const Radar& radar, const BoardDrift& drift) {
+    if (radar.n_tx() > 1)
+        return channel_of_every_tx(
+            radar, [&](const Radar& one) { return leakage_channel(one, drift); });
     const FrequencyComb comb = comb_of(radar.chirp);
     Channel channel = silent_channel(static_cast<int>(radar.rx.size()), comb);
     for (const Leakage& leak : radar.leakage) {
@@ -88,11 +98,14 @@ Channel leakage_channel(const Radar& radar, const BoardDrift& drift) {
     return channel;
 }
 
-AdcFrame simulate(const Scene& scene, const Library& materials, Stream& noise) {
+AdcFrame simulate(const Scene& scene, const Library& materials, Stream& noise,
+                  const FrameState& state) {
     const Channel echo = echo_channel(scene, materials);
     const Channel still = leakage_channel(scene.radar, {});
     const ReceiverInput input{dechirp(echo, scene.radar.chirp), dechirp(still, scene.radar.chirp)};
-    return ReceiverChain(scene.radar).receive(input, {}, noise);
+    FrameState moving = state;
+    moving.motion = scene.motion;
+    return ReceiverChain(scene.radar).receive(input, moving, noise);
 }
 
 }  // namespace specula

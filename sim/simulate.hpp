@@ -5,7 +5,8 @@
 
 namespace specula {
 
-/// The echo of everything in the scene at every frequency of the radar's chirp.
+/// The echo of everything in the scene at every frequency of the radar's chirp, for each RX of
+/// each TX.
 Channel echo_channel(const Scene& scene, const Library& materials);
 
 /// An echo without drawing a piece: the mean of |h|^2 over all pieces like the scene's is
@@ -26,6 +27,7 @@ struct BoardDrift {
 Channel leakage_channel(const Radar& radar, const BoardDrift& drift);
 
 /// The whole simulator in words: scene -> lit points -> channel -> beat -> ADC codes.
-AdcFrame simulate(const Scene& scene, const Library& materials, Stream& noise);
+AdcFrame simulate(const Scene& scene, const Library& materials, Stream& noise,
+                  const FrameState& state = {});
 
 }  // namespace specula
