@@ -89,10 +89,13 @@ void simulate_command(const SimulateArguments& arguments, const Catalogue& catal
     if (fs::equivalent(out, arguments.scene, ignored))
         throw InputError(out.string() + ": is the scene itself; give --out another name");
     for (const std::string& warning : scene.warnings) say_warning(warning);
+    for (const std::string& warning : scene.radar.warnings) say_warning(warning);
     for (const BandWarning& warning : band_warnings(scene, catalogue.materials))
         say_warning(warning.text());
     Stream noise({.seed = arguments.seed, .purpose = "thermal noise"});
-    const AdcFrame frame = simulate(scene, catalogue.materials, noise);
+    FrameState state;
+    state.draw.seed = arguments.seed;
+    const AdcFrame frame = simulate(scene, catalogue.materials, noise, state);
     write_dataset(out, dataset_of(scene, frame, arguments, Section::read(arguments.scene)));
 
     const LinkBudget mirror = mirror_budget(scene.radar, scene.pose.height_m);
