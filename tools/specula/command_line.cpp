@@ -92,7 +92,7 @@ void add_show(CLI::App& program, ShowArguments& arguments) {
         "specula show plexiglass --figure /tmp/figures\n"
         "  specula show out/paper/datasets/height.h5");
     command
-        ->add_option("NAME", arguments.what, "a name (specula list), a .toml file or a .h5 dataset")
+        ->add_option("NAME", arguments.what, "a name (specula list), a .toml or .cfg file, or a .h5 dataset")
         ->required();
     command
         ->add_option("--figure", arguments.figure,
@@ -114,6 +114,38 @@ void add_validate(CLI::App& program, ValidateArguments& arguments) {
         ->add_option("-j,--threads", arguments.threads,
                      "1 to 1024; results do not depend on it; default all processors")
         ->check(CLI::Range(1, 1024).description(""))
+        ->capture_default_str();
+}
+
+void add_calibrate(CLI::App& program, CalibrateArguments& arguments) {
+    CLI::App* command = add_command(
+        program, "calibrate", "Estimate a board's noise, offsets, leakage and gain from a recording",
+        "specula calibrate empty_room.h5 --radar iwrl6432boost --out my_board.toml\n"
+        "  Levels come out in dBm at the RX port and in LSB of the ADC, ranges in mm.");
+    command->add_option("RECORDING", arguments.recording, "dataset (.h5), simulated or imported")
+        ->required();
+    command
+        ->add_option("--radar", arguments.radar,
+                     "that it was made with: a name, a .toml or a .cfg file")
+        ->capture_default_str();
+    command->add_option("--scene", arguments.scene,
+                        "scene file of what stood there; tells the gain. Default: an empty scene");
+    command->add_option("-o,--out", arguments.out, "radar file; default RADAR_calibrated.toml")
+        ->type_name("FILE");
+}
+
+void add_likeness(CLI::App& program, LikenessArguments& arguments) {
+    CLI::App* command = add_command(
+        program, "likeness", "Set a radar's simulated chirps beside recorded ones",
+        "specula likeness recording.h5 --radar my_board.toml --out /tmp/likeness\n"
+        "  Writes likeness.svg, .png, .csv and likeness_table.csv, in LSB of the ADC.");
+    command->add_option("RECORDING", arguments.recording, "dataset (.h5) of one radar")->required();
+    command->add_option("--radar", arguments.radar, "a name, a .toml or a .cfg file")
+        ->capture_default_str();
+    command->add_option("-o,--out", arguments.out, "folder; default out/likeness")
+        ->type_name("FOLDER");
+    command->add_option("--seed", arguments.seed, "of the noise")
+        ->check(seed_problem)
         ->capture_default_str();
 }
 
@@ -168,6 +200,10 @@ int run_program(int argc, char** argv) {
     ValidateArguments validation;
     validation.threads = available_threads();
     add_validate(program, validation);
+    CalibrateArguments calibration;
+    add_calibrate(program, calibration);
+    LikenessArguments likeness;
+    add_likeness(program, likeness);
     std::string listed, shell = "bash";
     add_command(program, "list", "List what is known by name", "specula list materials")
         ->add_option("KIND", listed, "materials, radars or experiments")
@@ -192,6 +228,8 @@ int run_program(int argc, char** argv) {
             const Catalogue catalogue = Catalogue::open(home_folder());
             if (command == "study") study_command(study, catalogue);
             if (command == "simulate") simulate_command(simulate, catalogue);
+            if (command == "calibrate") calibrate_command(calibration, catalogue);
+            if (command == "likeness") likeness_command(likeness, catalogue);
             if (command == "validate") status = validate_command(validation, catalogue);
             if (command == "list") list_command(listed, catalogue);
             if (command == "show") show_command(show, catalogue);
