@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "scenes/ti_config.hpp"
 #include "sim/core/error.hpp"
+#include "sim/core/format.hpp"
 
 namespace specula {
 
@@ -51,15 +53,33 @@ fs::path Catalogue::sweep_file(const std::string& name) const {
 
 Radar Catalogue::radar(Section& section, const std::string& key) const {
     const std::string name = section.text(key);
-    if (fs::path(name).extension() == ".toml") {
+    if (fs::path(name).extension() == ".toml" || is_ti_config(name)) {
         const fs::path file = fs::path(section.file()).parent_path() / name;
         if (!fs::exists(file))
             section.fail(key, "no such file beside this one", "give a path relative to this file");
-        return read_radar(file);
+        return radar_of_file(file);
     }
     const auto known = radar_names();
     section.choice(key, known);
     return read_radar(root / "scenes/radars" / (name + ".toml"));
+}
+
+Radar Catalogue::radar_of_file(const fs::path& file) const {
+    return is_ti_config(file)
+               ? read_ti_config(file, root / "scenes/radars/iwrl6432boost.toml")
+               : read_radar(file);
+}
+
+Radar Catalogue::radar_called(const std::string& name) const {
+    const fs::path file = name;
+    if (file.extension() == ".toml" || is_ti_config(file)) return radar_of_file(file);
+    const auto known = radar_names();
+    if (std::find(known.begin(), known.end(), name) != known.end())
+        return read_radar(root / "scenes/radars" / (name + ".toml"));
+    const std::string near = nearest_word(name, known);
+    throw InputError(format("radar = \"{}\": is not known; {}", name,
+                            near.empty() ? "see specula list radars, or name a .toml or .cfg file"
+                                         : "did you mean \"" + near + "\"?"));
 }
 
 std::string Catalogue::material_name(Section& section, const std::string& key) const {

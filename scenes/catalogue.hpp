@@ -24,6 +24,10 @@ struct Catalogue {
 
     /// The radar that `section.<key>` names: one of the catalogue, or a file beside the section's.
     Radar radar(Section& section, const std::string& key) const;
+    /// The radar of a .toml file, or of the IWRL6432BOOST as a TI .cfg sets it up.
+    Radar radar_of_file(const std::filesystem::path& file) const;
+    /// One of the catalogue, or a file; throws InputError where there is none.
+    Radar radar_called(const std::string& name) const;
     /// Checks that `section.<key>` names a material; returns its name.
     std::string material_name(Section& section, const std::string& key) const;
     /// "air", "metal" or a material.

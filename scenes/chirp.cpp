@@ -30,7 +30,7 @@ double Chirp::beat_hz(double range_m) const {
 }
 
 double Chirp::max_range_m() const {
-    return 0.45 * sample_rate_hz / slope_hz_s * speed_of_light_m_s / 2.0;
+    return pass_band * sample_rate_hz / slope_hz_s * speed_of_light_m_s / 2.0;
 }
 
 Chirp Chirp::read(Section& section) {
@@ -43,13 +43,16 @@ Chirp Chirp::read(Section& section) {
         .skip_samples = section.count("skip_samples", Range::between(0, 1024), 0),
         .filter_latency_samples = section.count("filter_latency_samples", Range::between(0, 64), 0),
         .ramp_end_s = section.quantity("ramp_end", Unit::time, Range::above(0.0)),
+        .idle_s = section.quantity("idle", Unit::time, Range::between(0.0, 1.0), 0.0),
+        .pass_band = section.number("pass_band", Range::inside(0.0, 0.5), 0.45),
+        .tx_on_s = section.quantity("tx_on", Unit::time, Range::between(0.0, 1.0), 0.0),
     };
     if (!std::has_single_bit(static_cast<unsigned>(chirp.n_samples)))
         section.fail("n_samples", "is not a power of two, so range bins would be padded ones",
                      "use 64, 128, 256 or 512");
-    if (chirp.settle_samples() < 0)
-        section.fail("skip_samples", "is shorter than the latency of the filter",
-                     format("give at least {}", chirp.filter_latency_samples));
+    if (chirp.n_samples + chirp.settle_samples() < 8)
+        section.fail("filter_latency_samples", "leaves fewer than 8 samples on the ramp",
+                     "lessen it, or skip more samples");
     const double last_s = (chirp.settle_samples() + chirp.n_samples) / chirp.sample_rate_hz;
     if (last_s > chirp.ramp_end_s)
         section.fail("n_samples",

@@ -106,6 +106,7 @@ Scene read_scene(const std::filesystem::path& file, const Catalogue& catalogue) 
     scene.solver = read_solver(section);
     warn_of_roughness(scene);
     check_places(geometry, section, scene);
+    if (auto motion = section.find_section("motion")) scene.motion = Motion::read(*motion);
     section.finish();
     return scene;
 }

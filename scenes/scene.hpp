@@ -1,6 +1,7 @@
 #pragma once
 
 #include "scenes/catalogue.hpp"
+#include "scenes/motion.hpp"
 #include "scenes/pose.hpp"
 #include "scenes/sample.hpp"
 #include "scenes/scene_object.hpp"
@@ -19,6 +20,7 @@ struct Scene {
     std::vector<std::string> warnings{};  ///< what reading it found odd
 
     static constexpr std::size_t most_objects = 64;
+    Motion motion{};  ///< of the sample while the frame is recorded
 };
 
 /// Reads a scene file (keys: scenes/README.md) and refuses what cannot be.

@@ -23,11 +23,13 @@ void add_clutter(Channel& channel, const FrequencyComb& comb, const ClutterLaw& 
         const Vector3 point_m(range_m * std::sin(angle_rad) * std::cos(around_rad),
                               range_m * std::sin(angle_rad) * std::sin(around_rad),
                               -range_m * std::cos(angle_rad));
-        for (std::size_t rx = 0; rx < radar.rx.size(); ++rx) {
-            const double length_m = (point_m - radar.tx_position_m).norm() +
+        const auto n_rx = static_cast<int>(radar.rx.size());
+        for (int link = 0; link < channel.n_rx; ++link) {  // (tx, rx)
+            const auto rx = static_cast<std::size_t>(link % n_rx);
+            const double length_m = (point_m - radar.tx(link / n_rx).position_m).norm() +
                                     (point_m - radar.rx[rx].position_m).norm();
             add_path(channel, comb,
-                     {.rx = static_cast<int>(rx),
+                     {.rx = link,
                       .length_m = length_m,
                       .transfer = Complex(sd * in_phase, sd * quadrature)});
         }

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "scenes/radar.hpp"
 
 namespace specula {
@@ -15,5 +18,21 @@ struct LinkBudget {
 
 /// @eq PHYSICS.md#image-source, #thermal-noise, #high-pass
 LinkBudget mirror_budget(const Radar& radar, double height_m);
+
+/// One place between TX port and ADC.
+struct BudgetStage {
+    const char* name;
+    double echo_dbm;
+    std::optional<double> noise_dbm;  ///< over half the sample rate; none before the receiver
+};
+
+/// The echo of an infinite mirror and the noise at every stage, in the order of the signal.
+///
+/// The noise behind the high-pass counts what the filter leaves of white noise, and at the ADC that
+/// of its own and of rounding (1/12 LSB^2).
+std::vector<BudgetStage> budget_stages(const Radar& radar, double height_m);
+
+/// Amplitude in LSB as the power of such a tone behind the gain, and back.
+double power_of_lsb_dbm(const Radar& radar, double amplitude_lsb);
 
 }  // namespace specula

@@ -45,6 +45,9 @@ SessionLaw read_session(Section section) {
         .gain_db = section.distribution("gain", Unit::ratio_db, any, 0.0),
         .leakage_db = section.distribution("leakage", Unit::ratio_db, any, 0.0),
         .leakage_rad = section.distribution("leakage_phase", Unit::angle, any, 0.0),
+        .gain_drift_db = section.distribution("gain_drift", Unit::ratio_db, any, 0.0),
+        .leakage_drift_db = section.distribution("leakage_drift", Unit::ratio_db, any, 0.0),
+        .leakage_drift_rad = section.distribution("leakage_drift_phase", Unit::angle, any, 0.0),
     };
     section.finish();
     return law;
@@ -55,6 +58,12 @@ FrameLaw read_frame(Section section) {
         .displacement_m =
             section.distribution("displacement", Unit::length, Range::between(-1e-3, 1e-3), 0.0),
         .gain_db = section.distribution("gain", Unit::ratio_db, Range::any(), 0.0),
+        .velocity_m_s =
+            section.distribution("velocity", Unit::speed, Range::between(-50.0, 50.0), 0.0),
+        .vibration_m =
+            section.distribution("vibration", Unit::length, Range::between(-1e-2, 1e-2), 0.0),
+        .vibration_hz = section.distribution("vibration_frequency", Unit::frequency,
+                                             Range::between(0.0, 1e5), 0.0),
     };
     section.finish();
     return law;
@@ -71,6 +80,13 @@ ClutterLaw read_clutter(Section section) {
 }
 
 }  // namespace
+
+bool SessionLaw::board_drifts() const {
+    const auto is_nothing = [](const Distribution& law) {
+        return law.median() == 0.0 && law.spread() == 0.0;
+    };
+    return !is_nothing(leakage_drift_db) || !is_nothing(leakage_drift_rad);
+}
 
 std::vector<std::string> Population::class_names() const {
     std::vector<std::string> names;

@@ -31,12 +31,20 @@ struct SessionLaw {
     Distribution gain_db;
     Distribution leakage_db;
     Distribution leakage_rad;
+    Distribution gain_drift_db{};     ///< from the first frame to the last
+    Distribution leakage_drift_db{};  ///< likewise, for each RX
+    Distribution leakage_drift_rad{};
+
+    bool board_drifts() const;
 };
 
 /// How a frame differs from its session.
 struct FrameLaw {
     Distribution displacement_m;
     Distribution gain_db;
+    Distribution velocity_m_s{};
+    Distribution vibration_m{}; ///< peak, within the frame
+    Distribution vibration_hz{};
 };
 
 /// Small things in the room, each a point with a complex Gaussian amplitude.

@@ -3,7 +3,9 @@
 #include <cmath>
 
 #include "sim/clutter.hpp"
+#include "sim/core/constants.hpp"
 #include "sim/core/expect.hpp"
+#include "sim/session_drift.hpp"
 #include "sim/simulate.hpp"
 
 namespace specula {
@@ -87,16 +89,29 @@ Placed draw_placement(const Bench& bench, const Condition& condition, const Sess
     return placed;
 }
 
+/// The room, and the board's leakage unless that drifts by itself.
 Channel still_channel(const Bench& bench, const Condition& condition, const SessionId& id,
-                      const BoardDrift& drift) {
+                      Channel channel) {
     const FrequencyComb comb = comb_of(bench.radar.chirp);
-    Channel channel = leakage_channel(bench.radar, drift);
     const double mirror = mirror_transfer(bench.radar, bench.nominal_height_m);
     Stream world(key_of(bench, id, "world clutter", 0));
     add_clutter(channel, comb, bench.population.world_clutter, bench.radar, mirror, world);
     Stream session(key_of(bench, id, "session clutter", item_of(condition, id)));
     add_clutter(channel, comb, bench.population.session_clutter, bench.radar, mirror, session);
     return channel;
+}
+
+/// The state of one frame, but for what its session adds.
+FrameState draw_frame(const FrameLaw& law, const StreamKey& key) {
+    Stream stream(key);
+    FrameState state{.displacement_m = law.displacement_m.sample(stream),
+                     .gain_db = law.gain_db.sample(stream)};
+    state.motion = {.velocity_m_s = law.velocity_m_s.sample(stream),
+                    .vibration_m = law.vibration_m.sample(stream),
+                    .vibration_hz = law.vibration_hz.sample(stream),
+                    .vibration_rad = two_pi * stream.uniform()};
+    state.draw = key;
+    return state;
 }
 
 Truth session_truth(const Condition& condition, const SessionId& id, const Sample& sample,
@@ -136,20 +151,28 @@ SessionFrames simulate_session(const Bench& bench, const Condition& condition,
     const Placed placed = draw_placement(bench, condition, id);
     const Channel echo =
         echo_channel({bench.radar, sample, placed.pose, bench.solver}, bench.materials);
-    const Channel still = still_channel(bench, condition, id, placed.board);
-    const ReceiverInput input{dechirp(echo, bench.radar.chirp),
-                              dechirp(still, bench.radar.chirp)};
+    const bool board_drifts = bench.population.session.board_drifts();
+    const Channel leakage = leakage_channel(bench.radar, placed.board);
+    const Channel silence = silent_channel(leakage.n_rx, comb_of(bench.radar.chirp));
+    const Channel still =
+        still_channel(bench, condition, id, board_drifts ? silence : leakage);
+    const ReceiverInput input{
+        .echo = dechirp(echo, bench.radar.chirp),
+        .still = dechirp(still, bench.radar.chirp),
+        .board = board_drifts ? dechirp(leakage, bench.radar.chirp) : BeatSignal{}};
     const ReceiverChain chain(bench.radar);
+    Stream drift_stream(key_of(bench, id, "drift", item_of(condition, id)));
+    const SessionDrift drift(bench.population.session, bench.radar.rx.size(), drift_stream);
 
     SessionFrames out;
     Truth truth = session_truth(condition, id, sample, placed.pose);
     for (int i = 0; i < condition.frames; ++i) {
         const std::uint32_t item =
             (item_of(condition, id) << 12) | static_cast<std::uint32_t>(i);
-        Stream state_stream(key_of(bench, id, "frame", item));
-        const FrameState state{
-            .displacement_m = bench.population.frame.displacement_m.sample(state_stream),
-            .gain_db = placed.gain_db + bench.population.frame.gain_db.sample(state_stream)};
+        const double share = condition.frames > 1 ? i / (condition.frames - 1.0) : 0.5;
+        FrameState state = draw_frame(bench.population.frame, key_of(bench, id, "frame", item));
+        state.gain_db += placed.gain_db + drift.gain_db(share);
+        if (board_drifts) state.board_factor = drift.board_factor(share);
         Stream noise(key_of(bench, id, "thermal noise", item));
         const AdcFrame frame = chain.receive(input, state, noise);
         out.adc.insert(out.adc.end(), frame.codes.begin(), frame.codes.end());

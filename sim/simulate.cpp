@@ -4,6 +4,7 @@
 
 #include "sim/channel/diffuse_power.hpp"
 #include "sim/channel/path.hpp"
+#include "sim/every_tx.hpp"
 #include "sim/height_field.hpp"
 #include "sim/scene_target.hpp"
 #include "sim/speckle_echo.hpp"
@@ -51,6 +52,12 @@ std::vector<RoughBody> rough_bodies(const Scene& scene, const Stage& stage) {
 }  // namespace
 
 Channel echo_channel(const Scene& asked, const Library& materials, const ForEach& for_each) {
+    if (asked.radar.n_tx() > 1)
+        return channel_of_every_tx(asked.radar, [&](const Radar& one) {
+            Scene with_one = asked;
+            with_one.radar = one;
+            return echo_channel(with_one, materials, for_each);
+        });
     const bool explicit_heights = asked.solver.roughness == Solver::Roughness::height_field;
     const Scene scene = explicit_heights ? with_height_field(asked) : asked;
     const Stage stage(scene, materials);
@@ -79,6 +86,9 @@ MeanEcho mean_echo(const Scene& scene, const Library& materials) {
 }
 
 Channel leakage_channel(const Radar& radar, const BoardDrift& drift) {
+    if (radar.n_tx() > 1)
+        return channel_of_every_tx(
+            radar, [&](const Radar& one) { return leakage_channel(one, drift); });
     const FrequencyComb comb = comb_of(radar.chirp);
     Channel channel = silent_channel(static_cast<int>(radar.rx.size()), comb);
     for (const Leakage& leak : radar.leakage) {
@@ -92,10 +102,12 @@ Channel leakage_channel(const Radar& radar, const BoardDrift& drift) {
     return channel;
 }
 
-AdcFrame record(const Scene& scene, const Channel& echo, Stream& noise) {
+AdcFrame record(const Scene& scene, const Channel& echo, Stream& noise, const FrameState& state) {
     const Channel still = leakage_channel(scene.radar, {});
     const ReceiverInput input{dechirp(echo, scene.radar.chirp), dechirp(still, scene.radar.chirp)};
-    return ReceiverChain(scene.radar).receive(input, {}, noise);
+    FrameState moving = state;
+    moving.motion = scene.motion;
+    return ReceiverChain(scene.radar).receive(input, moving, noise);
 }
 
 AdcFrame simulate(const Scene& scene, const Library& materials, Stream& noise,

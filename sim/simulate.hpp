@@ -6,12 +6,13 @@
 
 namespace specula {
 
-/// The echo of everything in the scene at every frequency of the radar's chirp.
+/// The echo of everything in the scene at every frequency of the radar's chirp, for each RX of
+/// each TX.
 Channel echo_channel(const Scene& scene, const Library& materials,
                      const ForEach& for_each = one_by_one);
 
-/// An echo without drawing a piece, whatever the solver does with heights: the mean of |h|^2 over all pieces like the scene's is
-/// |coherent|^2 + diffuse_power, at every RX and frequency.
+/// An echo without drawing a piece, whatever the solver does with heights: the mean of |h|^2 over
+/// all pieces like the scene's is |coherent|^2 + diffuse_power, at every RX and frequency.
 struct MeanEcho {
     Channel coherent;
     std::vector<double> diffuse_power;  ///< (rx, frequency), as in Channel::h
@@ -28,7 +29,8 @@ struct BoardDrift {
 Channel leakage_channel(const Radar& radar, const BoardDrift& drift);
 
 /// The radar's codes for an echo that is already known: echo -> beat -> ADC codes.
-AdcFrame record(const Scene& scene, const Channel& echo, Stream& noise);
+AdcFrame record(const Scene& scene, const Channel& echo, Stream& noise,
+                const FrameState& state = {});
 
 /// The whole simulator in words: scene -> lit points -> channel -> beat -> ADC codes.
 AdcFrame simulate(const Scene& scene, const Library& materials, Stream& noise,

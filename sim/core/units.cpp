@@ -15,6 +15,7 @@ constexpr UnitSuffix time[] = {
 constexpr UnitSuffix slope[] = {{"mhz_per_us", 1e12}, {"hz_per_s", 1.0}};
 constexpr UnitSuffix conductivity[] = {{"s_per_m", 1.0}};
 constexpr UnitSuffix voltage[] = {{"v", 1.0}, {"mv", 1e-3}};
+constexpr UnitSuffix speed[] = {{"mm_per_s", 1e-3}, {"m_per_s", 1.0}};
 constexpr UnitSuffix temperature[] = {{"k", 1.0}};
 constexpr UnitSuffix density[] = {{"kg_per_m3", 1.0}, {"g_per_cm3", 1e3}};
 constexpr UnitSuffix ratio_db[] = {{"db", 1.0}};
@@ -39,6 +40,8 @@ std::span<const UnitSuffix> suffixes_of(Unit unit) {
             return conductivity;
         case Unit::voltage:
             return voltage;
+        case Unit::speed:
+            return speed;
         case Unit::temperature:
             return temperature;
         case Unit::density:

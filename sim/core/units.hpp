@@ -14,6 +14,7 @@ enum class Unit {
     slope,         ///< chirp slope
     conductivity,  ///< S/m
     voltage,
+    speed,
     temperature,
     density,
     ratio_db,

@@ -1,6 +1,7 @@
 #include "sim/link_budget.hpp"
 
 #include "sim/clutter.hpp"
+#include "sim/core/constants.hpp"
 #include "tests/check.hpp"
 #include "tests/reference_case.hpp"
 #include "tests/sim/deviation.hpp"
@@ -29,6 +30,29 @@ TEST_CASE("the link budget of a mirror is that of the radar equation", "[sim][re
                  std::pow(10.0, (budget.received_dbm + radar.receiver.gain_db -
                                  radar.receiver.full_scale_dbm) /
                                     20.0)));
+}
+
+TEST_CASE("every stage differs from the one before by what stands between", "[sim]") {
+    Radar radar;
+    radar.pattern = PatchPattern{};
+    const auto stages = budget_stages(radar, 0.45);
+    REQUIRE(stages.size() == 7);
+    const LinkBudget mirror = mirror_budget(radar, 0.45);
+    CHECK(stages[1].echo_dbm - stages[0].echo_dbm == Approx(5.5));
+    CHECK(stages[2].echo_dbm == Approx(mirror.received_dbm));
+    // -174 dBm/Hz over 2.5 MHz.
+    CHECK(*stages[2].noise_dbm == Approx(-173.975 + decibel(std::sqrt(2.5e6))).margin(1e-3));
+    CHECK(*stages[3].noise_dbm - *stages[2].noise_dbm == Approx(12.0));
+    CHECK(*stages[4].noise_dbm - *stages[3].noise_dbm == Approx(40.0));
+    CHECK(stages[4].echo_dbm - stages[3].echo_dbm == Approx(40.0));
+    CHECK(stages[5].echo_dbm - stages[4].echo_dbm == Approx(mirror.high_pass_db));
+    // With x = f / fc, the integral of 1 - (x^2 / (1 + x^2))^2 over all x is 3 pi / 4, of which
+    // nearly 2 / x lies beyond x.
+    const double end = 2.5e6 / 175e3;
+    CHECK(*stages[5].noise_dbm - *stages[4].noise_dbm ==
+          Approx(10.0 * std::log10(1.0 - (0.75 * pi - 2.0 / end) / end)).margin(0.01));
+    CHECK(power_of_lsb_dbm(radar, radar.amplitude_lsb(-33.0)) ==
+          Approx(-33.0 + radar.receiver.gain_db));
 }
 
 TEST_CASE("without a high-pass nothing is lost in it", "[sim]") {

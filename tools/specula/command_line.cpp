@@ -81,7 +81,7 @@ void add_show(CLI::App& program, std::vector<std::string>& words, ShowArguments&
         "  specula show out/paper/datasets/height.h5");
     command
         ->add_option("NAME", words,
-                     "a name (specula list), a .toml file or a .h5 file; the kind may stand before "
+                     "a name (specula list), a .toml, .cfg or .h5 file; the kind may stand before "
                      "it: material, radar, experiment, sweep")
         ->required()
         ->expected(1, 2);
@@ -117,6 +117,38 @@ void add_validate(CLI::App& program, ValidateArguments& arguments) {
         ->add_option("-j,--threads", arguments.threads,
                      "1 to 1024; results do not depend on it; default all processors")
         ->check(CLI::Range(1, 1024).description(""))
+        ->capture_default_str();
+}
+
+void add_calibrate(CLI::App& program, CalibrateArguments& arguments) {
+    CLI::App* command = add_command(
+        program, "calibrate", "Estimate a board's noise, offsets, leakage and gain from a recording",
+        "specula calibrate empty_room.h5 --radar iwrl6432boost --out my_board.toml\n"
+        "  Levels come out in dBm at the RX port and in LSB of the ADC, ranges in mm.");
+    command->add_option("RECORDING", arguments.recording, "dataset (.h5), simulated or imported")
+        ->required();
+    command
+        ->add_option("--radar", arguments.radar,
+                     "that it was made with: a name, a .toml or a .cfg file")
+        ->capture_default_str();
+    command->add_option("--scene", arguments.scene,
+                        "scene file of what stood there; tells the gain. Default: an empty scene");
+    command->add_option("-o,--out", arguments.out, "radar file; default RADAR_calibrated.toml")
+        ->type_name("FILE");
+}
+
+void add_likeness(CLI::App& program, LikenessArguments& arguments) {
+    CLI::App* command = add_command(
+        program, "likeness", "Set a radar's simulated chirps beside recorded ones",
+        "specula likeness recording.h5 --radar my_board.toml --out /tmp/likeness\n"
+        "  Writes likeness.svg, .png, .csv and likeness_table.csv, in LSB of the ADC.");
+    command->add_option("RECORDING", arguments.recording, "dataset (.h5) of one radar")->required();
+    command->add_option("--radar", arguments.radar, "a name, a .toml or a .cfg file")
+        ->capture_default_str();
+    command->add_option("-o,--out", arguments.out, "folder; default out/likeness")
+        ->type_name("FOLDER");
+    command->add_option("--seed", arguments.seed, "of the noise")
+        ->check(seed_problem)
         ->capture_default_str();
 }
 
@@ -187,6 +219,10 @@ int run_program(int argc, char** argv) {
     add_evaluate(program, evaluation);
     FirmwareArguments firmware;
     add_firmware_commands(program, firmware);
+    CalibrateArguments calibration;
+    add_calibrate(program, calibration);
+    LikenessArguments likeness;
+    add_likeness(program, likeness);
     std::string listed, shell = "bash";
     add_command(program, "list", "List what is known by name", "specula list materials")
         ->add_option("KIND", listed, "materials, radars, experiments or sweeps")
@@ -212,6 +248,8 @@ int run_program(int argc, char** argv) {
             if (command == "study") study_command(study, catalogue);
             if (command == "simulate") simulate_command(simulate, catalogue);
             if (command == "sweep") sweep_command(sweep, catalogue);
+            if (command == "calibrate") calibrate_command(calibration, catalogue);
+            if (command == "likeness") likeness_command(likeness, catalogue);
             if (command == "validate") status = validate_command(validation, catalogue);
             if (command == "import") import_command(import, catalogue);
             if (command == "export" && !export_.what.empty())

@@ -119,6 +119,22 @@ struct LatencyArguments {
 };
 void latency_command(const LatencyArguments& arguments, const Catalogue& catalogue);
 
+struct CalibrateArguments {
+    std::filesystem::path recording;      ///< dataset of an empty or a known scene
+    std::string radar = "iwrl6432boost";  ///< that it was made with: a name or a file
+    std::filesystem::path scene;          ///< what stood there; empty: nothing
+    std::filesystem::path out;            ///< radar file; empty: <radar>_calibrated.toml
+};
+void calibrate_command(const CalibrateArguments& arguments, const Catalogue& catalogue);
+
+struct LikenessArguments {
+    std::filesystem::path recording;
+    std::string radar = "iwrl6432boost";
+    std::filesystem::path out;  ///< folder; empty: out/likeness
+    std::uint64_t seed = 1;
+};
+void likeness_command(const LikenessArguments& arguments, const Catalogue& catalogue);
+
 /// @in shell  "bash" or "zsh"
 void completion_command(const std::string& shell, const std::vector<std::string>& commands);
 

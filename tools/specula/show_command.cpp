@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "scenes/scene.hpp"
+#include "scenes/ti_config.hpp"
 #include "sim/core/constants.hpp"
 #include "sim/core/error.hpp"
 #include "sim/core/format.hpp"
@@ -10,9 +11,11 @@
 #include "sim/link_budget.hpp"
 #include "sim/mirror_foot.hpp"
 #include "sim/scene_target.hpp"
+#include "tools/console/console.hpp"
 #include "tools/specula/commands.hpp"
 #include "tools/specula/show_dataset.hpp"
 #include "tools/specula/show_material.hpp"
+#include "tools/specula/show_radar.hpp"
 #include "tools/study/experiment.hpp"
 #include "tools/sweep/sweep_table.hpp"
 
@@ -23,28 +26,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double usual_height_m = 0.45;  ///< where a radar is shown that no scene places
-
-void show_radar(const Radar& radar, double height_m) {
-    const Chirp& chirp = radar.chirp;
-    const LinkBudget mirror = mirror_budget(radar, height_m);
-    std::printf("%s: %s\nsource: %s\n\n", radar.name.c_str(), radar.title.c_str(),
-                radar.source.c_str());
-    std::printf("sampled            %.4g to %.4g GHz, %.4g GHz\n", chirp.frequency_hz(0) * 1e-9,
-                chirp.frequency_hz(chirp.n_samples) * 1e-9, chirp.bandwidth_hz() * 1e-9);
-    std::printf("range bin          %.4g cm, farthest range %.4g m\n", chirp.bin_m() * 100.0,
-                chirp.max_range_m());
-    std::printf("frame              %d chirps x %zu RX x %d samples\n", radar.chirps_per_frame,
-                radar.rx.size(), chirp.n_samples);
-    std::printf("thermal noise      %.3g LSB rms\n\n", mirror.noise_lsb);
-    std::printf("an infinite mirror at %.4g mm falls into bin %.2f, beat %.4g kHz:\n",
-                height_m * 1e3, chirp.bin_of(height_m), mirror.beat_hz * 1e-3);
-    std::printf("  transmitted      %7.1f dBm\n  received         %7.1f dBm\n", radar.tx_power_dbm,
-                mirror.received_dbm);
-    std::printf("  behind the gain  %7.1f dBm\n  IF high-pass     %7.1f dB\n",
-                mirror.received_dbm + radar.receiver.gain_db, mirror.high_pass_db);
-    std::printf("  in the ADC       %7.0f of %.0f LSB\n", mirror.amplitude_lsb,
-                radar.adc_full_scale_lsb());
-}
 
 void show_sweep(const fs::path& file) {
     const StoredSweep sweep = read_sweep_hdf5(file);
@@ -182,10 +163,15 @@ void show_command(const ShowArguments& arguments, const Catalogue& catalogue) {
     const auto show = [&](const Material& material) { show_material(material, arguments.figure); };
     if (path.extension() == ".h5")
         return is_sweep_hdf5(path) ? show_sweep(path) : show_dataset(path);
+    const auto show_warned = [](const Radar& radar) {
+        for (const std::string& warning : radar.warnings) say_warning(warning);
+        show_radar(radar, usual_height_m);
+    };
+    if (is_ti_config(path)) return show_warned(catalogue.radar_of_file(path));
     if (path.extension() == ".toml") {
         Section section = Section::read(path);
         if (section.has("training")) return show_experiment(read_experiment(path, catalogue));
-        if (section.has("chirp")) return show_radar(read_radar(path), usual_height_m);
+        if (section.has("chirp")) return show_warned(read_radar(path));
         if (section.has("scene")) return show_plan(read_sweep_plan(path, {}, catalogue));
         if (section.has("model")) return show(read_material(path, catalogue.materials.lookup()));
         return show_scene(read_scene(path, catalogue), catalogue.materials);
@@ -193,8 +179,7 @@ void show_command(const ShowArguments& arguments, const Catalogue& catalogue) {
     if (const Material* material = catalogue.materials.find(what)) return show(*material);
     const auto radars = catalogue.radar_names(), experiments = catalogue.experiment_names();
     if (std::find(radars.begin(), radars.end(), what) != radars.end())
-        return show_radar(read_radar(catalogue.root / "scenes/radars" / (what + ".toml")),
-                          usual_height_m);
+        return show_warned(catalogue.radar_called(what));
     if (std::find(experiments.begin(), experiments.end(), what) != experiments.end())
         return show_experiment(read_experiment(catalogue.experiment_file(what), catalogue));
     const auto sweeps = catalogue.sweep_names();
@@ -207,7 +192,7 @@ void show_command(const ShowArguments& arguments, const Catalogue& catalogue) {
     const std::string near = nearest_word(what, known);
     throw InputError(format("\"{}\": nothing of that name; {}", what,
                             near.empty() ? "see specula list materials, list radars and list "
-                                           "experiments, or name a .toml or .h5 file"
+                                           "experiments, or name a .toml, .cfg or .h5 file"
                                          : "did you mean " + near + "?"));
 }
 

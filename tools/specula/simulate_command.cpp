@@ -111,6 +111,7 @@ void simulate_command(const SimulateArguments& arguments, const Catalogue& catal
     if (fs::equivalent(out, arguments.scene, ignored))
         throw InputError(out.string() + ": is the scene itself; give --out another name");
     for (const std::string& warning : scene.warnings) say_warning(warning);
+    for (const std::string& warning : scene.radar.warnings) say_warning(warning);
     for (const BandWarning& warning : band_warnings(scene, catalogue.materials))
         say_warning(warning.text());
     Stream noise({.seed = arguments.seed, .purpose = "thermal noise"});
@@ -118,7 +119,9 @@ void simulate_command(const SimulateArguments& arguments, const Catalogue& catal
     const Channel echo = echo_channel(scene, catalogue.materials, with_progress);
     for (const std::string& limit : echo_limits(scene, catalogue.materials, echo))
         say_warning(limit);
-    const AdcFrame frame = record(scene, echo, noise);
+    FrameState state;
+    state.draw.seed = arguments.seed;
+    const AdcFrame frame = record(scene, echo, noise, state);
     write_dataset(out, dataset_of(scene, frame, arguments, Section::read(arguments.scene)));
 
     const LinkBudget mirror = mirror_budget(scene.radar, scene.pose.height_m);

@@ -138,7 +138,7 @@ TEST_CASE("what show does not know is refused with the nearest name", "[program]
           {"papre", "\"papre\": nothing of that name; did you mean paper?"},
           {"nothing_like_it",
            "\"nothing_like_it\": nothing of that name; see specula list materials, list radars and "
-           "list experiments, or name a .toml or .h5 file"},
+           "list experiments, or name a .toml, .cfg or .h5 file"},
           {"none.h5", "none.h5: no such file; check the path"},
           {"none.toml", "none.toml: no such file; check the path"}}) {
         const Ended shown = show(what);
