@@ -76,7 +76,7 @@ TEST_CASE("a radar that cannot be is refused at the key to change", "[radar]") {
     CHECK(error_with("rx = 2\n", "rx = 3\n") ==
           "leakage.rx = 3: is out of range; give a value at least 0 and at most 2");
     CHECK(error_with("pattern  = \"patch\"", "pattern = \"horn\"") ==
-          "antenna.pattern = \"horn\": is not known; use \"isotropic\" or \"patch\"");
+          "antenna.pattern = \"horn\": is not known; use \"isotropic\", \"patch\" or \"table\"");
     CHECK(error_with("power_dbm   = 11", "power_dbm = -inf")
               .rfind("transmitter.power_dbm = -inf: is not a finite number", 0) == 0);
     CHECK(error_with("high_pass_khz", "highpass_khz")
