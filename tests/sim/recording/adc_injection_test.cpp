@@ -43,6 +43,8 @@ TEST_CASE("headers that cannot be are refused with their byte", "[recording]") {
         CHECK(refusal(file_of({3, 2, 1, n_frames}, 12)).rfind("byte 16: the header asks for ", 0) ==
               0);
     CHECK(refusal(file_of({65535, 65535, 65535, 0xffffffff}, 0)).rfind("byte 16: ", 0) == 0);
+    // 2^64 codes, which 64 bits count as none.
+    CHECK(refusal(file_of({32768, 32768, 32768, 524288}, 0)).rfind("byte 16: ", 0) == 0);
     CHECK(refusal(file_of({3, 2, 1, 2}, 12) + "x").rfind("byte 16: ", 0) == 0);
 }
 
