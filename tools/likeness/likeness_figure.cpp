@@ -50,7 +50,18 @@ std::string block(const LikenessCurves& curves, std::size_t panel, const std::st
     return text + "END\n";
 }
 
-std::string panel_script(const Canvas& canvas, std::size_t rx, std::size_t panel) {
+/// Marks of the histogram's codes far enough apart for their numbers.
+std::string code_marks(const LikenessCurves& curves) {
+    const double apart =
+        0.4 * curves.histogram_step_lsb * static_cast<double>(curves.histogram.recorded.size());
+    double step = 1.0;
+    while (10.0 * step <= apart) step *= 10.0;
+    const double factor = apart >= 5.0 * step ? 5.0 : apart >= 2.0 * step ? 2.0 : 1.0;
+    return format("set xtics {}\n", factor * step);
+}
+
+std::string panel_script(const Canvas& canvas, const LikenessCurves& curves, std::size_t rx,
+                         std::size_t panel) {
     const double left = left_px + static_cast<double>(panel) * column_px;
     const double top = head_px + static_cast<double>(rx) * row_px;
     const PixelBox box{.left = left,
@@ -66,7 +77,8 @@ std::string panel_script(const Canvas& canvas, std::size_t rx, std::size_t panel
                              .colour = soft_ink,
                              .upwards = upwards});
     };
-    return std::string("unset label\n") + what.settings + canvas.frame(box) +
+    return std::string("unset label\n") + what.settings +
+           (panel == 3 ? code_marks(curves) : "set xtics autofreq\n") + canvas.frame(box) +
            label(what.below, 0.5 * (box.left + box.right), box.bottom + 38.0, false) +
            label(what.beside, box.left - 52.0, 0.5 * (box.top + box.bottom), true) +
            canvas.label({.text = format("RX {}", rx),
@@ -113,7 +125,7 @@ Figure likeness_figure(const Likeness& likeness, const std::string& title) {
     script += "set multiplot\n";
     for (std::size_t rx = 0; rx < likeness.curves.size(); ++rx)
         for (std::size_t panel = 0; panel < std::size(panels); ++panel) {
-            std::string one = panel_script(canvas, rx, panel);
+            std::string one = panel_script(canvas, likeness.curves[rx], rx, panel);
             if (rx == 0 && panel == 0) {
                 const std::string head =
                     canvas.heading(whole, title, format("{} chirps each", likeness.n_chirps)) +

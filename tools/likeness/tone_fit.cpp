@@ -140,7 +140,7 @@ void ChirpFit::refine(const Columns& base, const std::vector<double>& observed, 
         return energy(unexplained(columns, least_squares(columns, observed), observed));
     };
     double least = misfit();
-    for (double step_m = 0.5 * grid_bins * radar_.chirp.bin_m(); step_m > 50e-6; step_m *= 0.5)
+    for (double step_m = 0.5 * grid_bins * radar_.chirp.bin_m(); step_m > 5e-6; step_m *= 0.5)
         for (std::size_t i = first; i < ranges_m.size(); ++i) {
             const std::size_t column = base.size() + 2 * i;
             for (const double moved_m : {ranges_m[i] - step_m, ranges_m[i] + step_m}) {
