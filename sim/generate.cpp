@@ -33,6 +33,8 @@ Dataset generate(const Bench& bench, const Condition& condition, int worlds, int
     dataset.n_samples = bench.radar.chirp.n_samples;
     for (SessionFrames& session : sessions) {
         dataset.adc.insert(dataset.adc.end(), session.adc.begin(), session.adc.end());
+        dataset.adc_quadrature.insert(dataset.adc_quadrature.end(), session.adc_quadrature.begin(),
+                                      session.adc_quadrature.end());
         dataset.truth.insert(dataset.truth.end(), session.truth.begin(), session.truth.end());
         session = {};
     }

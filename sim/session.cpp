@@ -176,6 +176,8 @@ SessionFrames simulate_session(const Bench& bench, const Condition& condition,
         Stream noise(key_of(bench, id, "thermal noise", item));
         const AdcFrame frame = chain.receive(input, state, noise);
         out.adc.insert(out.adc.end(), frame.codes.begin(), frame.codes.end());
+        out.adc_quadrature.insert(out.adc_quadrature.end(), frame.quadrature.begin(),
+                                  frame.quadrature.end());
         truth.frame = i;
         truth.gain_db = state.gain_db;
         truth.displacement_m = state.displacement_m;

@@ -28,8 +28,9 @@ struct SessionId {
 };
 
 struct SessionFrames {
-    std::vector<std::int16_t> adc;  ///< (frame, chirp, rx, sample)
-    std::vector<Truth> truth;       ///< (frame)
+    std::vector<std::int16_t> adc;             ///< (frame, chirp, rx, sample)
+    std::vector<std::int16_t> adc_quadrature;  ///< likewise, of a complex receiver; else empty
+    std::vector<Truth> truth;                  ///< (frame)
 };
 
 /// Draws the sample, its placement and the state of the board, traces the scene once, and records

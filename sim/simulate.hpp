@@ -28,7 +28,8 @@ struct BoardDrift {
 /// What the board couples from its TX into its RX without any scene.
 Channel leakage_channel(const Radar& radar, const BoardDrift& drift);
 
-/// The radar's codes for an echo that is already known: echo -> beat -> ADC codes.
+/// The radar's codes for an echo that is already known: echo -> beat -> ADC codes. The scene's
+/// motion takes the place of the state's.
 AdcFrame record(const Scene& scene, const Channel& echo, Stream& noise,
                 const FrameState& state = {});
 

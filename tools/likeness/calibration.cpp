@@ -96,6 +96,9 @@ void check_fits(const ChirpSeries& series, const Radar& radar) {
                                 "name the radar that it was made with",
                                 series.n_rx, series.n_samples, radar.name, radar.rx.size(),
                                 radar.chirp.n_samples));
+    if (radar.receiver.complex_samples)
+        throw InputError(format("radar {} gives I and Q; calibration takes real samples only",
+                                radar.name));
     if (radar.n_tx() > 1)
         throw InputError(format("radar {} has {} TX; calibrate with a recording of one", radar.name,
                                 radar.n_tx()));

@@ -56,6 +56,7 @@ Dataset dataset_of(const Scene& scene, const AdcFrame& frame, const SimulateArgu
     dataset.n_rx = frame.n_rx;
     dataset.n_samples = frame.n_samples;
     dataset.adc = frame.codes;
+    dataset.adc_quadrature = frame.quadrature;
     dataset.truth = {truth_of(scene)};
     return dataset;
 }
