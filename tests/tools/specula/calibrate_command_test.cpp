@@ -1,3 +1,4 @@
+#include "sim/dataset/dataset.hpp"
 #include "tests/check.hpp"
 #include "tests/made_up_folder.hpp"
 #include "tests/run_program.hpp"
@@ -35,6 +36,22 @@ TEST_CASE("a scene may name a TI command file beside it", "[program][simulate]")
     REQUIRE(made.status == 0);
     const Ended shown = specula_in(folder.path(), {"show", "scene.h5"});
     CHECK(contains(shown.output, "1 frames x 4 chirps x 3 RX x 128 samples"));
+}
+
+TEST_CASE("a complex radar's Q travels in the dataset, and calibrate says it takes none",
+          "[program][simulate]") {
+    const MadeUpFolder folder;
+    const auto scene =
+        folder.with("scene.toml", edited(project_file("scenes/examples/metal_plate.toml"),
+                                         "\"iwrl6432boost\"", "\"iwr6843isk\""));
+    REQUIRE(specula_in(folder.path(), {"simulate", scene.string()}).status == 0);
+    const Dataset dataset = read_dataset(folder.path() / "scene.h5");
+    REQUIRE(dataset.adc_quadrature.size() == dataset.adc.size());
+    CHECK(dataset.adc_quadrature != dataset.adc);
+    const Ended refused =
+        specula_in(folder.path(), {"calibrate", "scene.h5", "--radar", "iwr6843isk"});
+    CHECK(refused.status == 2);
+    CHECK(contains(refused.errors, "calibration takes real samples only"));
 }
 
 TEST_CASE("calibrate refuses a recording that is none", "[program][calibrate]") {
