@@ -79,6 +79,35 @@ void attach(RTCScene scene, const Mesh& mesh) {
     rtcReleaseGeometry(triangles);
 }
 
+OwnFrame frame_of(const std::vector<Mesh>& meshes) {
+    OwnFrame frame;
+    std::size_t n = 0;
+    for (const Mesh& mesh : meshes) {
+        for (const Vector3& vertex : mesh.vertices_m) frame.origin_m += vertex;
+        n += mesh.vertices_m.size();
+    }
+    if (n > 0) frame.origin_m /= static_cast<double>(n);
+    for (const Mesh& mesh : meshes) {
+        for (const auto& triangle : mesh.triangles) {
+            const Vector3 a = mesh.vertices_m[triangle[0]];
+            const Vector3 x = mesh.vertices_m[triangle[1]] - a;
+            const Vector3 z = x.cross(mesh.vertices_m[triangle[2]] - a);
+            if (!(z.norm() > 0.0)) continue;
+            frame.to_own.row(0) = x.normalized();
+            frame.to_own.row(1) = z.cross(x).normalized();
+            frame.to_own.row(2) = z.normalized();
+            return frame;
+        }
+    }
+    return frame;
+}
+
+std::vector<Mesh> moved_into(const OwnFrame& frame, std::vector<Mesh> meshes) {
+    for (Mesh& mesh : meshes)
+        for (Vector3& vertex : mesh.vertices_m) vertex = frame.point(vertex);
+    return meshes;
+}
+
 BoundingSphere sphere_around(const std::vector<Mesh>& meshes) {
     Vector3 low = Vector3::Constant(std::numeric_limits<double>::infinity()), high = -low;
     for (const Mesh& mesh : meshes) {
@@ -135,18 +164,23 @@ bool traceable(const Way& way) {
 
 struct Geometry::Held {
     RTCScene scene = rtcNewScene(device());
-    BoundingSphere around;
+    OwnFrame frame;
+    BoundingSphere around;  ///< in that frame
     ~Held() { rtcReleaseScene(scene); }
+
+    Way way(const Vector3& from, const Vector3& to) const {
+        return way_between(frame.point(from), frame.point(to), around);
+    }
 };
 
 Geometry::Geometry(const std::vector<Mesh>& meshes) : held_(std::make_unique<Held>()) {
+    for (const Mesh& mesh : meshes) check(mesh);
+    held_->frame = frame_of(meshes);
+    const std::vector<Mesh> own = moved_into(held_->frame, meshes);
     rtcSetSceneFlags(held_->scene, RTC_SCENE_FLAG_ROBUST);
-    for (const Mesh& mesh : meshes) {
-        check(mesh);
-        attach(held_->scene, mesh);
-    }
+    for (const Mesh& mesh : own) attach(held_->scene, mesh);
     rtcCommitScene(held_->scene);
-    held_->around = sphere_around(meshes);
+    held_->around = sphere_around(own);
     if (const RTCError error = rtcGetDeviceError(device()); error != RTC_ERROR_NONE)
         throw SystemError(
             format("Embree could not take the scene (error {})", static_cast<int>(error)));
@@ -163,7 +197,7 @@ void Geometry::shadow(const Vector3& from, std::span<const Vector3> to,
         alignas(64) RTCRay16 rays{};
         alignas(64) int valid[16] = {};
         for (std::size_t i = 0; i < n; ++i) {
-            const Way way = way_between(from, to[first + i], held_->around);
+            const Way way = held_->way(from, to[first + i]);
             if (!traceable(way)) continue;
             valid[i] = -1;
             rays.org_x[i] = static_cast<float>(way.origin.x());
@@ -184,7 +218,7 @@ void Geometry::shadow(const Vector3& from, std::span<const Vector3> to,
 
 std::vector<int> Geometry::crossings(const Vector3& from, const Vector3& to) const {
     std::vector<int> crossed;
-    Way way = way_between(from, to, held_->around);
+    Way way = held_->way(from, to);
     while (traceable(way) && static_cast<int>(crossed.size()) < most_crossings) {
         RTCRayHit ray = ray_along(way);
         if (!intersect(held_->scene, ray)) break;
@@ -197,7 +231,9 @@ std::vector<int> Geometry::crossings(const Vector3& from, const Vector3& to) con
 }
 
 bool Geometry::holds(int geometry, const Vector3& point, const Vector3& direction) const {
-    Way way{point - 2.0 * end_margin_m * direction, direction, 0.0, 4.0 * end_margin_m};
+    const Vector3 along = held_->frame.direction(direction);
+    Way way{held_->frame.point(point) - 2.0 * end_margin_m * along, along, 0.0,
+            4.0 * end_margin_m};
     while (traceable(way)) {
         RTCRayHit ray = ray_along(way);
         if (!intersect(held_->scene, ray)) return false;

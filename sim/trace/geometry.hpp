@@ -14,11 +14,23 @@ struct BoundingSphere {
     double radius_m = 0.0;
 };
 
+/// The frame of what rays can hit: about its middle, along its first triangle. Moved with its
+/// antennas, a scene looks the same in it, so that Embree's rounding does not depend on where the
+/// scene stands and how it is turned.
+struct OwnFrame {
+    Vector3 origin_m = Vector3::Zero();
+    Rotation to_own = Rotation::Identity();
+
+    Vector3 point(const Vector3& p_m) const { return to_own * (p_m - origin_m); }
+    Vector3 direction(const Vector3& d) const { return to_own * d; }
+};
+
 /// What rays can hit, in Embree's hands.
 ///
 /// Embree answers in single precision, so it decides only what stands between two points, never
-/// how far apart they are. Rays are cut to the sphere around the scene, so that far antennas cost
-/// no precision. Safe to ask from many threads at once.
+/// how far apart they are. It works in a frame of the scene's own, so that moving or turning the
+/// whole scene changes nothing, and rays are cut to the sphere around the scene, so that far antennas
+/// cost no precision. Safe to ask from many threads at once.
 class Geometry {
   public:
     /// Mesh i is geometry i. Throws InputError when a vertex is not finite in single precision or

@@ -56,9 +56,7 @@ TEST_CASE("a whole room may stand anywhere and be turned any way", "[invariants]
                                                          .normalized())
                                        .toRotationMatrix(),
                                    {stream.normal(), stream.normal(), stream.normal()}}};
-        // Without shadows 1e-6 holds (invariance_test). On the rim of one, rays in single precision
-        // take a point of a hundredth of a wavelength's patch for lit or not: 4e-6 was seen.
-        CHECK(std::abs(room.echo() - before) < 2e-5 * std::abs(before));
+        CHECK(std::abs(room.echo() - before) < 1e-6 * std::abs(before));
     }
 }
 
