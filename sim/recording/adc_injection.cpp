@@ -9,8 +9,8 @@ namespace specula {
 
 namespace {
 
-constexpr std::size_t header_bytes = 16;
-constexpr std::size_t most_per_axis = 65535;
+constexpr std::size_t injection_header_bytes = 16;
+constexpr std::size_t most_per_count = 65535;
 
 struct Count {
     const char* name;
@@ -18,9 +18,9 @@ struct Count {
     std::size_t most;
 };
 constexpr std::array<Count, 4> counts{{
-    {"numAdcSamples", &AdcInjection::n_samples, most_per_axis},
-    {"numVirtualAntennas", &AdcInjection::n_virtual, most_per_axis},
-    {"numChirpsPerFrame", &AdcInjection::n_chirps, most_per_axis},
+    {"numAdcSamples", &AdcInjection::n_samples, most_per_count},
+    {"numVirtualAntennas", &AdcInjection::n_virtual, most_per_count},
+    {"numChirpsPerFrame", &AdcInjection::n_chirps, most_per_count},
     {"numFrames", &AdcInjection::n_frames, 0xffffffff},
 }};
 
@@ -28,7 +28,7 @@ constexpr std::array<Count, 4> counts{{
 
 AdcInjection read_adc_injection(Bytes bytes) {
     AdcInjection injection;
-    const std::size_t n_codes = bytes.size() < header_bytes ? 0 : (bytes.size() - header_bytes) / 2;
+    const std::size_t n_codes = bytes.size() < injection_header_bytes ? 0 : (bytes.size() - injection_header_bytes) / 2;
     std::size_t claimed = 1;
     for (std::size_t i = 0; i < counts.size(); ++i) {
         const std::size_t n = u32_at(bytes, 4 * i, "the header");
@@ -41,12 +41,12 @@ AdcInjection read_adc_injection(Bytes bytes) {
     }
     if (claimed != n_codes || bytes.size() % 2 != 0)
         fail_at(
-            header_bytes,
+            injection_header_bytes,
             format("the header asks for {} x {} x {} x {} codes of 2 bytes, but {} bytes follow",
                    injection.n_frames, injection.n_chirps, injection.n_virtual, injection.n_samples,
-                   bytes.size() - header_bytes),
+                   bytes.size() - injection_header_bytes),
             "is the file whole?");
-    injection.codes = unpack_codes(bytes.subspan(header_bytes), Packing::int16);
+    injection.codes = unpack_codes(bytes.subspan(injection_header_bytes), Packing::int16);
     return injection;
 }
 

@@ -144,6 +144,10 @@ std::vector<ExportedFile> export_uart(const Outgoing& o) {
     check_features(o.dataset);
     const std::size_t n_bins = o.dataset.feature_names.size();
     const std::size_t n_answers = o.dataset.answer_names.size();
+    constexpr std::size_t most_bins = std::numeric_limits<std::uint16_t>::max();
+    if (n_bins > most_bins)
+        throw InputError(format("{} features: a packet holds at most {} bins; use csv or npy", n_bins,
+                                most_bins));
     std::string stream;
     for (std::size_t i = 0; i < o.dataset.n_frames(); ++i) {
         UartFrame frame{.number = static_cast<std::uint32_t>(o.dataset.truth[i].frame)};
@@ -158,6 +162,8 @@ std::vector<ExportedFile> export_uart(const Outgoing& o) {
         }
         for (std::size_t k = 0; k < n_answers; ++k)
             frame.probability.push_back(o.dataset.probability[i * n_answers + k]);
+        const auto best = std::max_element(frame.probability.begin(), frame.probability.end());
+        frame.class_type = static_cast<std::uint32_t>(best - frame.probability.begin());
         stream += uart_packet(frame);
     }
     return {{o.out, stream}, manifest_beside(o, "")};

@@ -197,12 +197,12 @@ void import_csv(const fs::path& input, const RecordingManifest& manifest, Draft&
     draft.columns = take_csv(read_csv(bytes_in(content)), manifest, draft.dataset);
 }
 
-struct Format {
+struct ImportFormat {
     std::string name;
     void (*import)(const fs::path&, const RecordingManifest&, Draft&);
 };
-const std::vector<Format>& formats() {
-    static const std::vector<Format> all{{"adc", import_adc},   {"dca1000", import_dca1000},
+const std::vector<ImportFormat>& import_formats() {
+    static const std::vector<ImportFormat> all{{"adc", import_adc},   {"dca1000", import_dca1000},
                                          {"rdif", import_rdif}, {"injection", import_injection},
                                          {"uart", import_uart}, {"infineon", import_infineon},
                                          {"npy", import_npy},   {"npz", import_npz},
@@ -215,7 +215,7 @@ const std::vector<Format>& formats() {
 const std::vector<std::string>& recording_formats() {
     static const std::vector<std::string> names = [] {
         std::vector<std::string> list;
-        for (const Format& each : formats()) list.push_back(each.name);
+        for (const ImportFormat& each : import_formats()) list.push_back(each.name);
         return list;
     }();
     return names;
@@ -231,8 +231,8 @@ std::string guessed_format(const fs::path& input) {
 
 ImportedRecording import_recording(const std::string& format_name, const fs::path& input,
                                    const RecordingManifest& manifest) {
-    const auto found = std::ranges::find(formats(), format_name, &Format::name);
-    if (found == formats().end())
+    const auto found = std::ranges::find(import_formats(), format_name, &ImportFormat::name);
+    if (found == import_formats().end())
         throw InputError(format("\"{}\": no such format; use {}", format_name,
                                 quoted_list(recording_formats())));
     Draft draft;

@@ -2,21 +2,24 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <limits>
+
+#include "firmware/fw_uart.h"
+#include "sim/core/expect.hpp"
 
 namespace specula {
 
 namespace {
 
-constexpr std::array<std::uint8_t, 8> magic{2, 1, 4, 3, 6, 5, 8, 7};
-constexpr std::size_t header_bytes = 40, tlv_header_bytes = 8, padding = 32;
+constexpr std::array<std::uint8_t, 8> packet_magic{2, 1, 4, 3, 6, 5, 8, 7};
+constexpr std::size_t packet_head_bytes = FW_UART_HEADER_BYTES, tlv_header_bytes = 8;
 constexpr std::size_t longest_packet = 1 << 20;
-constexpr std::uint32_t profile_major = 302, profile_minor = 303, classification = 1031;
-constexpr std::uint32_t sdk_version = 0x05030002, platform = 0x000a6432, no_subframe = 0xffffffff;
+constexpr std::uint32_t profile_major = FW_UART_TLV_PROFILE, profile_minor = 303,
+                        classification = FW_UART_TLV_CLASSES;
 
 std::size_t find_magic(Bytes bytes, std::size_t from) {
     const auto found = std::search(bytes.begin() + static_cast<std::ptrdiff_t>(from), bytes.end(),
-                                   magic.begin(), magic.end());
+                                   packet_magic.begin(), packet_magic.end());
     return static_cast<std::size_t>(found - bytes.begin());
 }
 
@@ -46,7 +49,7 @@ UartFrame read_packet(Bytes packet) {
     frame.number = u32_at(packet, 20, "the header");
     const std::size_t n_tlvs = u32_at(packet, 32, "the header");
     std::vector<std::uint32_t> minor;
-    std::size_t at = header_bytes;
+    std::size_t at = packet_head_bytes;
     for (std::size_t i = 0; i < n_tlvs; ++i) {
         const std::uint32_t type = u32_at(packet, at, "a TLV");
         const std::size_t length = u32_at(packet, at + 4, "a TLV");
@@ -64,9 +67,9 @@ UartFrame read_packet(Bytes packet) {
 
 /// The length that a packet's header gives; 0 where it is impossible.
 std::size_t packet_length(Bytes bytes, std::size_t at) {
-    if (bytes.size() - at < header_bytes) return 0;
+    if (bytes.size() - at < packet_head_bytes) return 0;
     const std::size_t length = u32_at(bytes, at + 12, "the header");
-    return length < header_bytes || length > longest_packet ? 0 : length;
+    return length < packet_head_bytes || length > longest_packet ? 0 : length;
 }
 
 }  // namespace
@@ -102,29 +105,19 @@ UartStream read_uart(Bytes bytes) {
 }
 
 std::string uart_packet(const UartFrame& frame) {
-    const bool classified = !frame.probability.empty();
-    std::string tlvs;
-    append_number(tlvs, profile_major, 4);
-    append_number(tlvs, 4 * frame.profile.size(), 4);
-    for (const std::uint32_t bin : frame.profile) append_number(tlvs, bin, 4);
-    if (classified) {
-        append_number(tlvs, classification, 4);
-        append_number(tlvs, 8 + 4 * frame.probability.size(), 4);
-        append_number(tlvs, frame.class_type, 4);
-        append_number(tlvs, frame.probability.size(), 4);
-        for (const float p : frame.probability)
-            append_number(tlvs, std::bit_cast<std::uint32_t>(p), 4);
-    }
-    const std::size_t length = (header_bytes + tlvs.size() + padding - 1) / padding * padding;
-    std::string packet(magic.begin(), magic.end());
-    for (const std::uint64_t field :
-         {std::uint64_t{sdk_version}, std::uint64_t{length}, std::uint64_t{platform},
-          std::uint64_t{frame.number}, std::uint64_t{0}, std::uint64_t{0},
-          std::uint64_t{classified ? 2u : 1u}, std::uint64_t{no_subframe}})
-        append_number(packet, field, 4);
-    packet += tlvs;
-    packet.resize(length, '\0');
-    return packet;
+    constexpr std::size_t most = std::numeric_limits<std::uint16_t>::max();
+    SPECULA_EXPECT(frame.profile.size() <= most && frame.probability.size() <= most &&
+                   frame.class_type <= most);
+    const fw_uart_packet packet{.frame_number = frame.number,
+                                .time_cycles = 0,
+                                .profile = frame.profile.data(),
+                                .n_bins = static_cast<std::uint16_t>(frame.profile.size()),
+                                .probabilities = frame.probability.data(),
+                                .n_classes = static_cast<std::uint16_t>(frame.probability.size()),
+                                .label = static_cast<std::uint16_t>(frame.class_type)};
+    std::vector<std::uint8_t> bytes(fw_uart_size(packet.n_bins, packet.n_classes));
+    SPECULA_EXPECT(fw_uart_write(&packet, bytes.data(), bytes.size()) == FW_OK);
+    return {bytes.begin(), bytes.end()};
 }
 
 }  // namespace specula

@@ -38,8 +38,8 @@ struct UartStream {
 /// Throws nothing: a stream without packets has no frames.
 UartStream read_uart(Bytes bytes);
 
-/// A packet with TLV 302 and, where there are probabilities, TLV 1031; padded to 32 bytes as the
-/// chip does.
+/// A packet as the firmware writes it (fw_uart_write): TLV 302 where there is a profile, TLV 1031
+/// where there are probabilities. Counts and class up to 65535.
 std::string uart_packet(const UartFrame& frame);
 
 }  // namespace specula
