@@ -48,12 +48,7 @@ Dataset first_frame(const Dataset& dataset) {
 
 Recorded record_for(const Experiment& experiment, const LatencyRequest& request,
                     const Catalogue& catalogue) {
-    const Bench bench{.radar = experiment.radar,
-                      .population = experiment.population,
-                      .materials = catalogue.materials,
-                      .nominal_height_m = experiment.nominal_height_m,
-                      .seed = experiment.seed,
-                      .solver = experiment.solver};
+    const Bench bench = bench_of(experiment, catalogue.materials);
     const Condition& again = second_condition(experiment);
     Progress progress("Simulating", "sessions",
                       session_count(experiment.training, experiment.population, request.worlds) +

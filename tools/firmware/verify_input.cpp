@@ -1,16 +1,14 @@
 #include "tools/firmware/verify_input.hpp"
 
 #include <algorithm>
-#include <cstring>
-#include <fstream>
 
 #include "classifier/extract_features.hpp"
 #include "classifier/model_file.hpp"
 #include "classifier/train.hpp"
-#include "firmware/fw_injection.h"
 #include "sim/core/error.hpp"
 #include "sim/core/format.hpp"
 #include "sim/generate.hpp"
+#include "sim/recording/import_recording.hpp"
 #include "tools/study/experiment.hpp"
 #include "tools/study/progress.hpp"
 
@@ -23,36 +21,9 @@ namespace {
 constexpr int arbitrary_classes = 5;
 constexpr int training_epochs = 20;
 
-Dataset read_injection(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) throw InputError(file.string() + ": cannot be read; check the path");
-    const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-    fw_injection injection;
-    const fw_status status = fw_injection_open(bytes.data(), bytes.size(), &injection);
-    if (status != FW_OK)
-        throw InputError(format(
-            "{}: is no recording in the layout of ADC injection ({}): four 32-bit counts (samples, "
-            "antennas, chirps, frames), then 16-bit samples; name such a file or a .h5 dataset",
-            file.string(), fw_status_name(status)));
-    Dataset dataset;
-    dataset.class_names = {"recorded"};
-    dataset.n_samples = injection.n_samples;
-    dataset.n_rx = injection.n_rx;
-    dataset.n_chirps = injection.n_chirps;
-    dataset.truth.resize(injection.n_frames);
-    dataset.adc.assign(injection.samples,
-                       injection.samples + injection.n_frames * dataset.codes_per_frame());
-    return dataset;
-}
-
 /// The training recordings of the paper's experiment in one world.
 Dataset simulate_frames(const Experiment& experiment, const Catalogue& catalogue, int threads) {
-    const Bench bench{.radar = experiment.radar,
-                      .population = experiment.population,
-                      .materials = catalogue.materials,
-                      .nominal_height_m = experiment.nominal_height_m,
-                      .seed = experiment.seed,
-                      .solver = experiment.solver};
+    const Bench bench = bench_of(experiment, catalogue.materials);
     Progress progress("Simulating", "sessions",
                       session_count(experiment.training, experiment.population, 1));
     return generate(bench, experiment.training, 1, threads, &progress.done());
@@ -122,7 +93,7 @@ Model train_on(const Dataset& frames, const Measurement& measurement, VerifyInpu
 
 Dataset load_frames(const VerifyRequest& request) {
     return request.dataset.extension() == ".h5" ? read_dataset(request.dataset)
-                                                : read_injection(request.dataset);
+                                                : import_recording("injection", request.dataset, {}).dataset;
 }
 
 void check_fit(const VerifyInput& input, const VerifyRequest& request) {

@@ -133,6 +133,15 @@ void read_paper(Section section, Experiment& experiment) {
 
 }  // namespace
 
+Bench bench_of(const Experiment& experiment, const Library& materials) {
+    return {.radar = experiment.radar,
+            .population = experiment.population,
+            .materials = materials,
+            .nominal_height_m = experiment.nominal_height_m,
+            .seed = experiment.seed,
+            .solver = experiment.solver};
+}
+
 Experiment read_experiment(const std::filesystem::path& file, const Catalogue& catalogue) {
     Section root = Section::read(file);
     Experiment experiment;

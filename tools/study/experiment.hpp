@@ -9,6 +9,7 @@
 #include "scenes/solver.hpp"
 #include "sim/condition.hpp"
 #include "sim/population.hpp"
+#include "sim/session.hpp"
 
 namespace specula {
 
@@ -45,6 +46,9 @@ struct Experiment {
     std::string paper_reference;
     std::map<std::string, double> paper_macro_f1;  ///< condition name -> published value
 };
+
+/// What its sessions are simulated from, under the experiment's own seed. Borrows both.
+Bench bench_of(const Experiment& experiment, const Library& materials);
 
 /// Reads an experiment file; each section is read by the module that owns it.
 Experiment read_experiment(const std::filesystem::path& file, const Catalogue& catalogue);

@@ -9,12 +9,8 @@ namespace specula {
 
 Recording record(const Experiment& experiment, const Library& materials, const RunSettings& run,
                  const Condition& condition, Progress& progress) {
-    const Bench bench{.radar = experiment.radar,
-                      .population = experiment.population,
-                      .materials = materials,
-                      .nominal_height_m = experiment.nominal_height_m,
-                      .seed = run.seed,
-                      .solver = experiment.solver};
+    Bench bench = bench_of(experiment, materials);
+    bench.seed = run.seed;
     Recording recording;
     recording.condition = condition;
     recording.file = run.folder / "datasets" / (condition.name + ".h5");
