@@ -122,12 +122,17 @@ static bool send_packet(const fw_model* model, const fw_frame* frame, uint32_t n
            fw_port_uart_send(bytes, fw_uart_size(packet.n_bins, packet.n_classes));
 }
 
+/* The model and the frames that argv[2] and argv[3] name; 0, or what to exit with. */
+static int open_inputs(char* argv[], fw_model* model, fw_injection* frames, int* in) {
+    const int failed = load_model(argv[2], model);
+    return failed != 0 ? failed : open_frames(argv[3], frames, in);
+}
+
 static int run(char* argv[]) {
     fw_model model;
     fw_injection frames;
     int in = FW_PORT_NO_FILE;
-    int failed = load_model(argv[2], &model);
-    if (failed == 0) failed = open_frames(argv[3], &frames, &in);
+    const int failed = open_inputs(argv, &model, &frames, &in);
     if (failed != 0) return failed;
     const int out = fw_port_open(argv[4], true);
     if (out == FW_PORT_NO_FILE) return complain(argv[4], "cannot be written");
@@ -150,8 +155,7 @@ static int bench(char* argv[]) {
     fw_model model;
     fw_injection frames;
     int in = FW_PORT_NO_FILE;
-    int failed = load_model(argv[2], &model);
-    if (failed == 0) failed = open_frames(argv[3], &frames, &in);
+    const int failed = open_inputs(argv, &model, &frames, &in);
     if (failed != 0) return failed;
     const fw_frame frame = next_frame(&frames, in);
     uint32_t repeats = 0;
