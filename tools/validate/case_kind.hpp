@@ -15,14 +15,14 @@ struct CasePoint {
     Fields inp;
     Fields expect;
     Fields tolerance;
-    const Library& library;
+    const Library& materials;
 
-    CasePoint(const CaseFile& case_file, std::size_t index, const Library& materials)
+    CasePoint(const CaseFile& case_file, std::size_t index, const Library& known_materials)
         : file(case_file),
           inp(case_file.inp(index)),
           expect(case_file.expect(index)),
           tolerance(case_file.tolerance()),
-          library(materials) {}
+          materials(known_materials) {}
 
     /// Whether a sentence of the tolerance's note calls rows informative and holds, as a word, a
     /// text of this point's `inp`: the point is then shown and not judged.

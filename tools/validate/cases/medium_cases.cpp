@@ -52,7 +52,7 @@ std::string with_underscores(std::string name) {
 std::vector<Quantity> building_material_point(const CasePoint& point) {
     const std::string name = with_underscores(lower_case(point.inp.text("material")));
     const double frequency_hz = frequency_of(point.inp);
-    if (const Material* material = point.library.find(name))
+    if (const Material* material = point.materials.find(name))
         return medium_point(point, material->at(frequency_hz), frequency_hz);
     const auto row = other_rows.find(name);
     if (row == other_rows.end())
@@ -69,7 +69,7 @@ std::vector<Quantity> relaxation_point(const CasePoint& point) {
         return medium_point(point, Water{.temperature_k = 273.15 + celsius}.at(frequency_hz),
                             frequency_hz);
     }
-    const Material* material = point.library.find(name);
+    const Material* material = point.materials.find(name);
     if (material == nullptr) throw NotComputable(format("does not know the medium \"{}\"", name));
     return medium_point(point, material->at(frequency_hz), frequency_hz);
 }
