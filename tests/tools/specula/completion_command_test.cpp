@@ -30,13 +30,13 @@ TEST_CASE("the completion script is valid and completes", "[program][completion]
 
     const std::string program = "'" SPECULA_BINARY "' ";
     CHECK(offered(folder, program + "s").find("study\nsimulate\n") != std::string::npos);
-    CHECK(offered(folder, program + "lis") == "list\n");
+    CHECK(offered(folder, program + "l") == "latency\nlikeness\nlist\n");
     CHECK(offered(folder, program + "list r") == "radars\n");
     CHECK(offered(folder, program + "completion z") == "zsh\n");
     CHECK(offered(folder, program + "study --q") == "--quick\n");
     CHECK(offered(folder, program + "study pap") == "paper\n");
     CHECK(offered(folder, program + "show plexi") == "plexiglass\n");
-    CHECK(offered(folder, program + "show iwr6") == "iwr6843isk\n");
+    CHECK(offered(folder, program + "show iwrl") == "iwrl6432boost\niwrl6432boost_recorded\n");
     // Nothing of ours: bash then offers files, as `-o default` tells it.
     CHECK(offered(folder, program + "simulate sc") == "\n");
     CHECK(offered(folder, program + "show name") == "\n");  // a heading is no name

@@ -1,7 +1,6 @@
 #include "tests/check.hpp"
 #include "tests/tools/validate/made_up_case.hpp"
 #include "tools/validate/case_file.hpp"
-#include "tools/validate/case_kind.hpp"
 #include "tools/validate/validation_table.hpp"
 
 namespace specula {
@@ -9,15 +8,14 @@ namespace {
 
 const char* const own_folder = SPECULA_SOURCE_DIR "/tests/reference";
 
-TEST_CASE("the project meets every reference case that it can compute, point by point",
+TEST_CASE("the project computes and meets every reference case, point by point",
           "[validate][reference]") {
     const Validation validation =
         validate({.folder = own_folder, .threads = 2}, materials_library());
     for (const CaseVerdict& verdict : validation.cases) {
         INFO(verdict.id << ": " << complaint(verdict));
-        if (find_case_kind(verdict.kind) != nullptr) CHECK(verdict.verdict() == Verdict::pass);
-        for (const PointVerdict& point : verdict.points)
-            CHECK((point.quantities.empty() != point.problem.empty()));
+        CHECK(verdict.verdict() == Verdict::pass);
+        for (const PointVerdict& point : verdict.points) CHECK_FALSE(point.quantities.empty());
     }
 }
 
