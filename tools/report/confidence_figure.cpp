@@ -13,9 +13,9 @@ namespace {
 constexpr Canvas canvas{.width_px = 480, .height_px = 412};
 constexpr PixelBox area{.left = 56, .top = 52, .right = 464, .bottom = 356};
 constexpr std::size_t correct_series = 0, wrong_series = 2;
-constexpr std::size_t n_bins = ConfidenceHistogram::n_bins;
+constexpr std::size_t histogram_bins = ConfidenceHistogram::n_bins;
 
-using Counts = std::array<std::int64_t, n_bins>;
+using Counts = std::array<std::int64_t, histogram_bins>;
 
 std::int64_t total(const Counts& counts) {
     return std::accumulate(counts.begin(), counts.end(), std::int64_t{0});
@@ -26,13 +26,13 @@ double share(std::int64_t part, std::int64_t whole) {
 }
 
 double edge(std::size_t bin) {
-    return static_cast<double>(bin) / static_cast<double>(n_bins);
+    return static_cast<double>(bin) / static_cast<double>(histogram_bins);
 }
 
 /// Outline of the histogram, both corners of every bin: (confidence, percent of the group).
 std::string outline(std::string_view block, const Counts& counts) {
     std::string text = format("${} << END\n0 0\n", block);
-    for (std::size_t bin = 0; bin < n_bins; ++bin)
+    for (std::size_t bin = 0; bin < histogram_bins; ++bin)
         for (const double x : {edge(bin), edge(bin + 1)})
             text += format("{} {}\n", x, 100.0 * share(counts[bin], total(counts)));
     return text + "1 0\nEND\n";
@@ -75,7 +75,7 @@ std::string curves() {
 std::string script(const ConditionReport& condition) {
     const auto& [correct, wrong] = condition.confidence;
     const std::size_t n_classes = condition.confusion.n;
-    const double lowest = n_classes > 0 ? edge(n_bins / n_classes) : 0.0;
+    const double lowest = n_classes > 0 ? edge(histogram_bins / n_classes) : 0.0;
     return axes_style() +
            "set grid ytics noxtics\nset xtics 0.2\nset mxtics 2\nset format x '%.1f'\n" +
            format("set xrange [{}:1]\nset yrange [0:*]\n", lowest) + canvas.frame(area) +
@@ -90,7 +90,7 @@ std::string csv(const ConditionReport& condition) {
     const auto& [correct, wrong] = condition.confidence;
     CsvTable table({"condition", "confidence_low", "confidence_high", "n_correct", "n_wrong",
                     "share_of_correct", "share_of_wrong"});
-    for (std::size_t bin = 0; bin < n_bins; ++bin)
+    for (std::size_t bin = 0; bin < histogram_bins; ++bin)
         table.add({condition.name, format("{}", edge(bin)), format("{}", edge(bin + 1)),
                    format("{}", correct[bin]), format("{}", wrong[bin]),
                    format("{}", share(correct[bin], total(correct))),

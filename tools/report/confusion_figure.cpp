@@ -12,8 +12,8 @@
 namespace specula {
 namespace {
 
-constexpr Canvas canvas{.width_px = 480, .height_px = 412};
-constexpr PixelBox area{.left = 104, .top = 52, .right = 476, .bottom = 356};
+constexpr Canvas confusion_canvas{.width_px = 480, .height_px = 412};
+constexpr PixelBox confusion_area{.left = 104, .top = 52, .right = 476, .bottom = 356};
 
 struct Cell {
     std::size_t truth, predicted;
@@ -55,7 +55,7 @@ std::string class_ticks(const std::vector<std::string>& class_names) {
     return "(" + ticks + ")";
 }
 
-std::string second_line(const ConditionReport& condition) {
+std::string under_title(const ConditionReport& condition) {
     const std::size_t n_worlds = condition.macro_f1_per_world.size();
     return format("macro-F1 {}, 95\u00a0% interval {}, {} {}",
                   percent_text(condition.macro_f1.mean), range_text(condition.macro_f1), n_worlds,
@@ -66,8 +66,8 @@ std::string script(const ConditionReport& condition, const std::vector<std::stri
     const std::string ticks = class_ticks(class_names);
     const double last = static_cast<double>(class_names.size()) - 0.5;
     return axes_style() + "unset grid\nset border 0\nset tics scale 0 textcolor rgb '#000000'\n" +
-           canvas.frame(area) + canvas.heading(area, condition.title, second_line(condition)) +
-           canvas.axis_titles(area, "predicted class", "true class") +
+           confusion_canvas.frame(confusion_area) + confusion_canvas.heading(confusion_area, condition.title, under_title(condition)) +
+           confusion_canvas.axis_titles(confusion_area, "predicted class", "true class") +
            data_block(cells_of(condition.confusion)) +
            format(
                "set xtics {0}\nset ytics {0}\nset xrange [-0.5:{1}]\nset yrange [{1}:-0.5]\n"
@@ -107,8 +107,8 @@ Figure confusion_figure(const std::string& name, const ConditionReport& conditio
             .description = description(condition, class_names),
             .script = script(condition, class_names),
             .csv = csv(condition, class_names),
-            .width_in = canvas.width_in(),
-            .height_in = canvas.height_in()};
+            .width_in = confusion_canvas.width_in(),
+            .height_in = confusion_canvas.height_in()};
 }
 
 }  // namespace specula

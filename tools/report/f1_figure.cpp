@@ -127,7 +127,7 @@ std::string chance_line(const F1Rows& content, const Layout& layout) {
     return commands;
 }
 
-std::string curves() {
+std::string f1_curves() {
     const auto worlds = [](std::string_view block, std::size_t i) {
         return format("${} using 1:2 with points pointtype 7 pointsize {} linecolor rgb '{}'",
                       block, world_size, faint(series_colour(i), 0.62));
@@ -180,7 +180,7 @@ Figure f1_figure(const std::string& name, const F1Rows& content) {
                   worlds_block("all_worlds", content, &F1Row::all_per_world, all_lane) +
                   worlds_block("merged_worlds", content, &F1Row::merged_per_world, merged_lane) +
                   means_block("all", content, &F1Row::all, all_lane) +
-                  means_block("merged", content, &F1Row::merged, merged_lane) + curves(),
+                  means_block("merged", content, &F1Row::merged, merged_lane) + f1_curves(),
         .csv = csv(content),
         .width_in = layout.canvas.width_in(),
         .height_in = layout.canvas.height_in()};

@@ -14,7 +14,7 @@ std::string variables(std::string_view ColourRole::*shade) {
 
 /// One column for reading, about 70 characters wide; figures and tables may use more. The two
 /// founts are what the reader's system has.
-constexpr std::string_view layout = R"(
+constexpr std::string_view page_layout = R"(
 *{box-sizing:border-box}
 html{-webkit-text-size-adjust:100%;text-size-adjust:100%}
 body{margin:0;background:var(--paper);color:var(--ink);
@@ -95,7 +95,7 @@ std::string html_style() {
                ":root{{color-scheme:light dark;{}}}\n"
                "@media screen and (prefers-color-scheme:dark){{:root{{{}}}}}",
                light, dark) +
-           std::string(layout);
+           std::string(page_layout);
 }
 
 }  // namespace specula

@@ -51,11 +51,7 @@ void add_study(CLI::App& program, StudyArguments& arguments) {
         ->add_option("--seed", arguments.seed,
                      "of all random numbers; default the experiment's own")
         ->check(seed_problem);
-    command
-        ->add_option("-j,--threads", arguments.threads,
-                     "1 to 1024; results do not depend on it; default all processors")
-        ->check(CLI::Range(1, 1024).description(""))
-        ->capture_default_str();
+    add_threads(command, arguments.threads);
     command->add_flag("--quick", arguments.quick, "the experiment's small version, about 15 s");
 }
 
@@ -113,11 +109,7 @@ void add_validate(CLI::App& program, ValidateArguments& arguments) {
     command->add_option("--json", arguments.json, "write every quantity")->type_name("FILE");
     command->add_option("--html", arguments.html, "write a page with error plots")
         ->type_name("FILE");
-    command
-        ->add_option("-j,--threads", arguments.threads,
-                     "1 to 1024; results do not depend on it; default all processors")
-        ->check(CLI::Range(1, 1024).description(""))
-        ->capture_default_str();
+    add_threads(command, arguments.threads);
 }
 
 void add_calibrate(CLI::App& program, CalibrateArguments& arguments) {

@@ -22,11 +22,7 @@ void add_learning(CLI::App* command, Learning& learning) {
     command->add_option("--seed", learning.seed, "of weights, order and shuffles")
         ->check(seed_problem)
         ->capture_default_str();
-    command
-        ->add_option("-j,--threads", learning.threads,
-                     "1 to 1024; results do not depend on it; default all processors")
-        ->check(CLI::Range(1, 1024).description(""))
-        ->capture_default_str();
+    add_threads(command, learning.threads);
 }
 
 }  // namespace
@@ -35,6 +31,14 @@ CLI::App* add_command(CLI::App& program, const char* name, const char* what, con
     CLI::App* command = program.add_subcommand(name, what);
     command->footer(std::string("Example:\n  ") + example);
     return command;
+}
+
+void add_threads(CLI::App* command, int& threads) {
+    command
+        ->add_option("-j,--threads", threads,
+                     "1 to 1024; results do not depend on it; default all processors")
+        ->check(CLI::Range(1, 1024).description(""))
+        ->capture_default_str();
 }
 
 std::string seed_problem(const std::string& text) {

@@ -14,6 +14,9 @@ CLI::App* add_command(CLI::App& program, const char* name, const char* what, con
 /// 2^64 - 1.
 std::string seed_problem(const std::string& text);
 
+/// `--threads`, of which results do not depend.
+void add_threads(CLI::App* command, int& threads);
+
 /// `export`, whose own sub-commands are the formats.
 CLI::App* export_group(CLI::App& program);
 

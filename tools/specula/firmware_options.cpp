@@ -27,11 +27,10 @@ void add_export(CLI::App& program, ExportModelArguments& arguments) {
 }
 
 void add_verify(CLI::App& program, VerifyRequest& request) {
-    CLI::App* command = program.add_subcommand(
-        "verify-firmware",
-        "Compare the firmware's builds bit for bit, and say what it costs on the chip");
-    command->footer(
-        "Example:\n  specula verify-firmware out/paper/datasets/training.h5 "
+    CLI::App* command = add_command(
+        program, "verify-firmware",
+        "Compare the firmware's builds bit for bit, and say what it costs on the chip",
+        "specula verify-firmware out/paper/datasets/training.h5 "
         "out/paper/models/world_000.json\n"
         "  Needs gcc-arm-none-eabi, libnewlib-arm-none-eabi and qemu-system-arm. Exit status: 1 "
         "where\n  builds differ or a budget of firmware/budget.toml is exceeded. About 30 s.");
@@ -42,18 +41,15 @@ void add_verify(CLI::App& program, VerifyRequest& request) {
     command->add_option("--frames", request.most_frames, "at most so many, evenly over all")
         ->check(CLI::Range(2, 100000).description(""))
         ->capture_default_str();
-    command->add_option("-j,--threads", request.threads, "to simulate with, 1 to 1024")
-        ->check(CLI::Range(1, 1024).description(""))
-        ->capture_default_str();
+    add_threads(command, request.threads);
 }
 
 void add_latency(CLI::App& program, LatencyArguments& arguments) {
     arguments.experiment = "paper";
     arguments.out = "out/latency";
-    CLI::App* command = program.add_subcommand(
-        "latency", "Table and figure of accuracy against time on the chip, by network size");
-    command->footer(
-        "Example:\n  specula latency paper --worlds 8 --threads 2 --out /tmp/latency\n"
+    CLI::App* command = add_command(
+        program, "latency", "Table and figure of accuracy against time on the chip, by network size",
+        "specula latency paper --worlds 8 --threads 2 --out /tmp/latency\n"
         "  Trains 8 sizes in every world, quantises them, counts their instructions in QEMU. "
         "Writes\n"
         "  latency.svg, latency.png and latency.csv. About a minute.");
@@ -67,11 +63,7 @@ void add_latency(CLI::App& program, LatencyArguments& arguments) {
     command->add_option("--worlds", arguments.worlds, "to train and judge in, 1 to 1000")
         ->check(CLI::Range(1, 1000).description(""))
         ->capture_default_str();
-    command
-        ->add_option("-j,--threads", arguments.threads,
-                     "1 to 1024; results do not depend on it; default all processors")
-        ->check(CLI::Range(1, 1024).description(""))
-        ->capture_default_str();
+    add_threads(command, arguments.threads);
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "tools/specula/command_options.hpp"
+
 namespace specula {
 
 namespace {
@@ -44,11 +46,7 @@ void add_sweep_options(CLI::App& command, SweepArguments& arguments) {
     add_axes(command, arguments.axes);
     command.add_option("-o,--out", arguments.out, "folder to write; default out/sweep/SCENE")
         ->type_name("FOLDER");
-    command
-        .add_option("-j,--threads", arguments.threads,
-                    "1 to 1024; results do not depend on it; default all processors")
-        ->check(CLI::Range(1, 1024).description(""))
-        ->capture_default_str();
+    add_threads(&command, arguments.threads);
 }
 
 }  // namespace specula
