@@ -18,8 +18,8 @@ extern "C" {
 
 /* Which rows of the frame make the descriptor. */
 typedef enum fw_integration {
-    FW_INTEGRATE_SINGLE, /* chirp 0, rx 0 alone */
-    FW_INTEGRATE_MEAN,   /* mean of the amplitudes (not of the signals) over chirps and rx */
+    FW_INTEGRATE_SINGLE,   /* chirp 0, rx 0 alone */
+    FW_INTEGRATE_MEAN,     /* mean of the amplitudes (not of the signals) over chirps and rx */
     FW_INTEGRATE_EXPORTED, /* that mean, rounded as in TLV 302 (fw_exported_profile.h) */
 } fw_integration;
 

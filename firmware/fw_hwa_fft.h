@@ -24,7 +24,8 @@ extern "C" {
  * n_samples      FW_MIN_SAMPLES..FW_MAX_SAMPLES, and tabulated if the window is not rectangular
  * scaled_stages  bit s: the s-th stage from the last halves its results (convergent rounding);
  *                a stage whose bit is 0 saturates. Bits above log2(fft size) - 1 are refused
- * output_shift   0..8: results are divided by 2^output_shift (convergent), then saturate to int16 */
+ * output_shift   0..8: results are divided by 2^output_shift (convergent), then saturate to int16
+ */
 typedef struct fw_hwa_config {
     uint16_t n_samples;
     fw_window window;

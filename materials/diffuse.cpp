@@ -80,8 +80,7 @@ class CutStack {
         const double past = std::copysign(std::sqrt(2.0), above - below) * (above - below);
         Waves waves{};
         waves[0] = {cut.transfer * cut.reflection, 2.0 * above};
-        Complex amplitude =
-            cut.transfer * (1.0 - cut.reflection * cut.reflection) * cut.below;
+        Complex amplitude = cut.transfer * (1.0 - cut.reflection * cut.reflection) * cut.below;
         for (std::size_t turns = 0; turns + 1 < n_waves; ++turns) {
             const double rate = std::hypot(past, 2.0 * below * std::sqrt(double(turns)));
             waves[turns + 1] = {amplitude, std::copysign(rate, above - below)};

@@ -7,7 +7,7 @@ namespace specula {
 /// A face of a stack: 0 is the one towards the radar, the last one that of the backing.
 struct StackFace {
     int number = 0;
-    double roughness_m = 0.0;    ///< rms of Gaussian heights
+    double roughness_m = 0.0;     ///< rms of Gaussian heights
     double correlation_m = 1e-3;  ///< their correlation is exp(-(distance / correlation)^2)
 };
 

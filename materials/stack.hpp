@@ -49,8 +49,8 @@ struct Stack {
 /// @out  |te|, |tm| <= 1
 /// @eq   PHYSICS.md#stack; Parratt 1954 recursion; PHYSICS.md#coherent-roughness; Ament 1953;
 ///       PHYSICS.md#grain
-/// Limit: faces parallel and wide; the diffuse part of rough faces is in materials/diffuse.hpp. A grain is exact
-/// at normal incidence; what it turns into the other polarisation is not in here.
+/// Limit: faces parallel and wide; the diffuse part of rough faces is in materials/diffuse.hpp. A
+/// grain is exact at normal incidence; what it turns into the other polarisation is not in here.
 Reflection stack_reflection(const Stack& stack, double cos_incidence);
 
 /// The layers as a field along the grain meets them, and as one across does; neither has a grain.

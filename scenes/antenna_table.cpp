@@ -149,9 +149,10 @@ TablePattern TablePattern::read(Section& section) {
     const TablePattern table = read_antenna_table(
         name.is_absolute() ? name : std::filesystem::path(section.file()).parent_path() / name);
     if (const double share = radiated_share(table); share > largest_radiated_share)
-        section.fail("file", format("radiates {:.3g} times the power it is fed", share),
-                     format("are its gains in dBi? they are {:.3g} dB too high for a passive antenna",
-                            10.0 * std::log10(share)));
+        section.fail(
+            "file", format("radiates {:.3g} times the power it is fed", share),
+            format("are its gains in dBi? they are {:.3g} dB too high for a passive antenna",
+                   10.0 * std::log10(share)));
     return table;
 }
 

@@ -31,14 +31,22 @@ double ByteReader::take() {
 
 double ByteReader::number(Type type) {
     switch (type) {
-        case Type::int8: return take<std::int8_t>();
-        case Type::uint8: return take<std::uint8_t>();
-        case Type::int16: return take<std::int16_t>();
-        case Type::uint16: return take<std::uint16_t>();
-        case Type::int32: return take<std::int32_t>();
-        case Type::uint32: return take<std::uint32_t>();
-        case Type::float32: return take<float>();
-        case Type::float64: return take<double>();
+        case Type::int8:
+            return take<std::int8_t>();
+        case Type::uint8:
+            return take<std::uint8_t>();
+        case Type::int16:
+            return take<std::int16_t>();
+        case Type::uint16:
+            return take<std::uint16_t>();
+        case Type::int32:
+            return take<std::int32_t>();
+        case Type::uint32:
+            return take<std::uint32_t>();
+        case Type::float32:
+            return take<float>();
+        case Type::float64:
+            return take<double>();
     }
     return 0.0;
 }
@@ -55,13 +63,17 @@ double ByteReader::finite_number(Type type) {
 std::size_t ByteReader::size_of(Type type) {
     switch (type) {
         case Type::int8:
-        case Type::uint8: return 1;
+        case Type::uint8:
+            return 1;
         case Type::int16:
-        case Type::uint16: return 2;
+        case Type::uint16:
+            return 2;
         case Type::int32:
         case Type::uint32:
-        case Type::float32: return 4;
-        case Type::float64: return 8;
+        case Type::float32:
+            return 4;
+        case Type::float64:
+            return 8;
     }
     return 0;
 }

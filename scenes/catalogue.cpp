@@ -65,9 +65,8 @@ Radar Catalogue::radar(Section& section, const std::string& key) const {
 }
 
 Radar Catalogue::radar_of_file(const fs::path& file) const {
-    return is_ti_config(file)
-               ? read_ti_config(file, root / "scenes/radars/iwrl6432boost.toml")
-               : read_radar(file);
+    return is_ti_config(file) ? read_ti_config(file, root / "scenes/radars/iwrl6432boost.toml")
+                              : read_radar(file);
 }
 
 Radar Catalogue::radar_called(const std::string& name) const {

@@ -41,7 +41,9 @@ bool is_corner(const std::vector<double>& corners_hz, double corner_hz) {
 std::string listed_khz(const std::vector<double>& corners_hz) {
     std::string list;
     for (std::size_t i = 0; i < corners_hz.size(); ++i)
-        list += (i == 0 ? "" : i + 1 == corners_hz.size() ? " or " : ", ") +
+        list += (i == 0                       ? ""
+                 : i + 1 == corners_hz.size() ? " or "
+                                              : ", ") +
                 format("{:.4g}", corners_hz[i] * 1e-3);
     return list;
 }
@@ -91,11 +93,11 @@ std::optional<LimitBreach> limit_breach(const ChipLimits& limits, const Chirp& c
                                   *limits.slope_max_hz_s * 1e-12),
                            "lessen the slope"};
     if (!holds(limits.sample_rate_hz, chirp.sample_rate_hz))
-        return LimitBreach{"sample_rate",
-                           format("{} samples at {:.4g} to {:.4g} MHz", chip,
-                                  limits.sample_rate_hz->low * 1e-6,
-                                  limits.sample_rate_hz->high * 1e-6),
-                           "choose a rate between"};
+        return LimitBreach{
+            "sample_rate",
+            format("{} samples at {:.4g} to {:.4g} MHz", chip, limits.sample_rate_hz->low * 1e-6,
+                   limits.sample_rate_hz->high * 1e-6),
+            "choose a rate between"};
     if (!holds(limits.n_samples, chirp.n_samples))
         return LimitBreach{"n_samples",
                            format("{} takes {:.0f} to {:.0f} samples of a chirp", chip,
@@ -115,14 +117,14 @@ std::optional<LimitBreach> limit_breach(const ChipLimits& limits, const Chirp& c
                                        : std::string()),
             "choose one of them"};
     if (!is_corner(limits.high_pass_hz, receiver.high_pass_hz))
-        return LimitBreach{"high_pass",
-                           format("{} has corners of {} kHz", chip, listed_khz(limits.high_pass_hz)),
-                           "choose one of them"};
+        return LimitBreach{
+            "high_pass", format("{} has corners of {} kHz", chip, listed_khz(limits.high_pass_hz)),
+            "choose one of them"};
     if (receiver.complex_samples ? !limits.complex_samples : !limits.real_samples)
-        return LimitBreach{"sampling",
-                           format("{} gives {} samples only", chip,
-                                  limits.real_samples ? "real" : "complex"),
-                           "leave the key out or change it"};
+        return LimitBreach{
+            "sampling",
+            format("{} gives {} samples only", chip, limits.real_samples ? "real" : "complex"),
+            "leave the key out or change it"};
     return std::nullopt;
 }
 

@@ -16,14 +16,14 @@ struct ChipLimits {
         double high = 0.0;
     };
     std::string chip;
-    std::optional<Interval> frequency_hz;    ///< of the whole ramp, start to end
+    std::optional<Interval> frequency_hz;  ///< of the whole ramp, start to end
     std::optional<double> slope_max_hz_s;
     std::optional<Interval> sample_rate_hz;
     std::optional<Interval> n_samples;
-    std::optional<double> ramp_max_s;        ///< longest ramp
+    std::optional<double> ramp_max_s;  ///< longest ramp
     std::optional<Interval> gain_db;
-    std::optional<double> gain_step_db;      ///< gains are gain_db.low plus a multiple of it
-    std::vector<double> high_pass_hz;        ///< corners there are; empty: not checked
+    std::optional<double> gain_step_db;  ///< gains are gain_db.low plus a multiple of it
+    std::vector<double> high_pass_hz;    ///< corners there are; empty: not checked
     bool real_samples = true;
     bool complex_samples = true;
 
@@ -32,7 +32,8 @@ struct ChipLimits {
 
 /// A setting that the chip does not have.
 struct LimitBreach {
-    std::string setting;  ///< start, slope, sample_rate, n_samples, ramp_end, gain, high_pass, sampling
+    std::string
+        setting;  ///< start, slope, sample_rate, n_samples, ramp_end, gain, high_pass, sampling
     std::string problem;  ///< names the limit
     std::string remedy;
 };

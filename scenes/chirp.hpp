@@ -20,9 +20,9 @@ struct Chirp {
     int skip_samples = 28;
     int filter_latency_samples = 11;
     double ramp_end_s = 33e-6;
-    double idle_s = 0.0;   ///< between ramps
+    double idle_s = 0.0;      ///< between ramps
     double pass_band = 0.45;  ///< highest beat that the decimation filter passes, in sample rates
-    double tx_on_s = 0.0;  ///< after the ramp's start: when the TX begins to send
+    double tx_on_s = 0.0;     ///< after the ramp's start: when the TX begins to send
 
     /// From chirp to chirp of a frame.
     double period_s() const { return idle_s + ramp_end_s; }

@@ -49,9 +49,10 @@ void warn_of_seams(MeshFile& read, const std::string& name) {
     const Seams seams = seams_of(read.mesh);
     read.is_watertight = seams.is_watertight();
     if (seams.n_open > 0)
-        read.warnings.push_back(format("{}: is not watertight: {} edges belong to one triangle "
-                                       "only; both of its sides reflect",
-                                       name, seams.n_open));
+        read.warnings.push_back(
+            format("{}: is not watertight: {} edges belong to one triangle "
+                   "only; both of its sides reflect",
+                   name, seams.n_open));
     if (seams.n_shared > 0)
         read.warnings.push_back(
             format("{}: {} edges belong to more than two triangles; inside and outside are not "
@@ -71,16 +72,17 @@ MeshFile read_mesh(const fs::path& file, double unit_m) {
     for (const auto& triangle : read.mesh.triangles)
         for (const std::uint32_t corner : triangle)
             if (!(read.mesh.vertices_m[corner].norm() <= farthest_m))
-                throw InputError(format("{}: reaches {:.3g} m from its origin, and {:.3g} m are the "
-                                        "most; is the unit right?",
-                                        name, read.mesh.vertices_m[corner].norm(), farthest_m));
+                throw InputError(
+                    format("{}: reaches {:.3g} m from its origin, and {:.3g} m are the "
+                           "most; is the unit right?",
+                           name, read.mesh.vertices_m[corner].norm(), farthest_m));
     const std::size_t n_degenerate = drop_degenerate(read.mesh);
     if (n_degenerate == n_all)
         throw InputError(
             format("{}: none of its {} triangles has an area; export it again", name, n_all));
     if (n_degenerate > 0)
-        read.warnings.push_back(format("{}: {} of {} triangles have no area and are left out",
-                                       name, n_degenerate, n_all));
+        read.warnings.push_back(format("{}: {} of {} triangles have no area and are left out", name,
+                                       n_degenerate, n_all));
     warn_of_seams(read, name);
     return read;
 }

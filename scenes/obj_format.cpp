@@ -11,8 +11,8 @@ namespace {
 
 /// Statements of an OBJ file that say nothing about triangles.
 constexpr std::array<std::string_view, 17> passed_over{
-    "vt", "vn", "vp", "g", "o", "s", "mg", "usemtl", "mtllib",
-    "usemap", "maplib", "l", "p", "lod", "bevel", "c_interp", "d_interp"};
+    "vt",     "vn",     "vp", "g", "o",   "s",     "mg",       "usemtl",  "mtllib",
+    "usemap", "maplib", "l",  "p", "lod", "bevel", "c_interp", "d_interp"};
 
 /// `7`, `7/1`, `7//3`, `-1/2/3`: the first number, counted from 0.
 std::uint32_t corner_of(const TokenReader& reader, std::string_view word, std::size_t n_vertices) {

@@ -20,9 +20,9 @@ struct Radar {
     Chirp chirp;
     int chirps_per_frame = 1;  ///< of all TX together
     double tx_power_dbm = 11.0;
-    Pattern pattern;  ///< of every antenna
-    Vector3 tx_position_m = Vector3::Zero();   ///< of the first TX
-    std::vector<TransmitChannel> further_tx;   ///< besides the first, relative to its feed
+    Pattern pattern;                          ///< of every antenna
+    Vector3 tx_position_m = Vector3::Zero();  ///< of the first TX
+    std::vector<TransmitChannel> further_tx;  ///< besides the first, relative to its feed
     Multiplexing multiplexing = Multiplexing::tdm;
     std::vector<ReceiveChannel> rx{ReceiveChannel{}};
     Receiver receiver;

@@ -13,9 +13,9 @@ struct Receiver {
     double gain_db = 40.0;
     double noise_figure_db = 12.0;
     double temperature_k = 290.0;
-    double high_pass_hz = 175e3;   ///< corner of the first of two first-order poles
+    double high_pass_hz = 175e3;        ///< corner of the first of two first-order poles
     double second_high_pass_hz = -1.0;  ///< of the second; below 0: the same
-    double full_scale_dbm = 10.0;  ///< a tone of this power behind the gain just fills the ADC
+    double full_scale_dbm = 10.0;       ///< a tone of this power behind the gain just fills the ADC
     int adc_bits = 12;
     bool complex_samples = false;  ///< I and Q; else I alone
     double adc_noise_lsb = 0.0;    ///< rms, white, of IF amplifier and ADC behind the high-pass
@@ -46,9 +46,9 @@ struct ReceiveChannel {
 struct Leakage {
     int rx = 0;
     std::optional<int> tx{};  ///< of this TX only; none: of each
-    double range_m = 0.0;    ///< apparent, one way
-    double level_dbm = 0.0;  ///< at the RX port
-    double phase_rad = 0.0;  ///< of the coupling: h = |h| exp(j phase) exp(-jk 2 range)
+    double range_m = 0.0;     ///< apparent, one way
+    double level_dbm = 0.0;   ///< at the RX port
+    double phase_rad = 0.0;   ///< of the coupling: h = |h| exp(j phase) exp(-jk 2 range)
 
     /// How many channels the board has, for the checks.
     struct Board {

@@ -47,8 +47,7 @@ void warn_of(const SampleLayer& layer, const FrequencyBand& used,
         warnings.push_back(format(
             "{}: a correlation length of {:.4g} mm is below half a wavelength ({:.4g} mm); the "
             "diffuse echo of heights of {:.4g} um rms may be off by some dB",
-            layer.material, layer.correlation_m * 1e3, 0.5e3 * longest_m,
-            layer.roughness_m * 1e6));
+            layer.material, layer.correlation_m * 1e3, 0.5e3 * longest_m, layer.roughness_m * 1e6));
 }
 
 }  // namespace

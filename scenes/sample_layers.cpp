@@ -69,16 +69,15 @@ void read_matter(Section& section, const Catalogue& catalogue, Sample& sample) {
         sample.material = catalogue.material_name(section, "material");
         is_solid = sample.mesh && !section.has_quantity("thickness", Unit::length);
         // Of a solid nothing comes back from behind its face: the same matter goes on below it.
-        sample.thickness_m =
-            is_solid ? box_around(*sample.mesh).size().norm()
-                     : section.quantity("thickness", Unit::length, possible_thickness);
+        sample.thickness_m = is_solid
+                                 ? box_around(*sample.mesh).size().norm()
+                                 : section.quantity("thickness", Unit::length, possible_thickness);
         sample.roughness_m = section.quantity("roughness", Unit::length, possible_roughness, 0.0);
         check_roughness(section, sample.roughness_m, sample.thickness_m);
         sample.correlation_m = read_correlation(section);
     }
     sample.grain_rad = section.quantity("grain", Unit::angle, Range::between(-pi, pi), 0.0);
-    sample.piece =
-        static_cast<std::uint64_t>(section.count("piece", Range::between(0.0, 2e9), 1));
+    sample.piece = static_cast<std::uint64_t>(section.count("piece", Range::between(0.0, 2e9), 1));
     if (is_solid && section.has("backing"))
         section.fail("backing", "lies behind a body that is solid",
                      "give it a thickness, or remove the backing");

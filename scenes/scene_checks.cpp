@@ -44,9 +44,10 @@ void warn(const std::string& name, const Looked& looked, Scene& scene) {
                    "field counts, which is not modelled",
                    name, looked.nearest_m * 1e3, near_field_m * 1e3));
     if (looked.nearest_m > scene.radar.chirp.max_range_m())
-        scene.warnings.push_back(format("{} is beyond the farthest range of the chirp, {:.3g} m; "
-                                        "it shows in a bin that is not its own",
-                                        name, scene.radar.chirp.max_range_m()));
+        scene.warnings.push_back(
+            format("{} is beyond the farthest range of the chirp, {:.3g} m; "
+                   "it shows in a bin that is not its own",
+                   name, scene.radar.chirp.max_range_m()));
 }
 
 }  // namespace

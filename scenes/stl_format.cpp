@@ -28,8 +28,7 @@ Mesh read_binary(const std::string& file, std::string_view content, std::size_t 
         }
         reader.skip(2);
         const auto first = static_cast<std::uint32_t>(builder.n_vertices() - 3);
-        const std::string problem =
-            builder.add_polygon(std::array{first, first + 1, first + 2});
+        const std::string problem = builder.add_polygon(std::array{first, first + 1, first + 2});
         if (!problem.empty()) reader.fail(problem, "give a coarser mesh");
     }
     return builder.take();
@@ -98,13 +97,15 @@ Mesh read_stl(const std::string& file, std::string_view content) {
         if (content.size() == expected) return read_binary(file, content, n);
         const bool has_zero = content.find('\0') != std::string_view::npos;
         if (!says_solid || has_zero)
-            throw InputError(format("{}: byte {}: says {} triangles, which are {} bytes, and the "
-                                    "file has {}; is it cut off? export it again",
-                                    file, header_bytes, n, expected, content.size()));
+            throw InputError(
+                format("{}: byte {}: says {} triangles, which are {} bytes, and the "
+                       "file has {}; is it cut off? export it again",
+                       file, header_bytes, n, expected, content.size()));
     } else if (!says_solid) {
-        throw InputError(format("{}: byte {}: the file ends within the header of a binary STL; "
-                                "is it cut off? export it again",
-                                file, content.size()));
+        throw InputError(
+            format("{}: byte {}: the file ends within the header of a binary STL; "
+                   "is it cut off? export it again",
+                   file, content.size()));
     }
     return read_ascii(file, content);
 }

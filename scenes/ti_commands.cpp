@@ -22,30 +22,14 @@ struct KnownCommand {
 /// Command set of the xWRL6432 demos (CLI help in xWRL6432-adc-reader and OpenWaves).
 const std::vector<KnownCommand>& known_commands() {
     static const std::vector<KnownCommand> commands{
-        {"channelCfg", {3}},
-        {"chirpComnCfg", {7}},
-        {"chirpTimingCfg", {5}},
-        {"frameCfg", {6}},
-        {"antGeometryCfg", {14}},
-        {"guiMonitor", {11, 12}},
-        {"sigProcChainCfg", {8}},
-        {"cfarCfg", {12}},
-        {"aoaFovCfg", {4}},
-        {"rangeSelCfg", {2}},
-        {"clutterRemoval", {1}},
-        {"compRangeBiasAndRxChanPhase", {13}},
-        {"adcDataSource", {2}},
-        {"adcLogging", {1, 2, 5}},
-        {"lowPowerCfg", {1}},
-        {"factoryCalibCfg", {5}},
-        {"mpdBoundaryBox", {7}},
-        {"sensorPosition", {5}},
-        {"minorStateCfg", {8}},
-        {"majorStateCfg", {6}},
-        {"clusterCfg", {3}},
-        {"baudRate", {1}},
-        {"sensorStart", {4}},
-        {"sensorStop", {1}},
+        {"channelCfg", {3}},      {"chirpComnCfg", {7}},     {"chirpTimingCfg", {5}},
+        {"frameCfg", {6}},        {"antGeometryCfg", {14}},  {"guiMonitor", {11, 12}},
+        {"sigProcChainCfg", {8}}, {"cfarCfg", {12}},         {"aoaFovCfg", {4}},
+        {"rangeSelCfg", {2}},     {"clutterRemoval", {1}},   {"compRangeBiasAndRxChanPhase", {13}},
+        {"adcDataSource", {2}},   {"adcLogging", {1, 2, 5}}, {"lowPowerCfg", {1}},
+        {"factoryCalibCfg", {5}}, {"mpdBoundaryBox", {7}},   {"sensorPosition", {5}},
+        {"minorStateCfg", {8}},   {"majorStateCfg", {6}},    {"clusterCfg", {3}},
+        {"baudRate", {1}},        {"sensorStart", {4}},      {"sensorStop", {1}},
     };
     return commands;
 }
@@ -86,8 +70,8 @@ void check(const TiCommand& command, std::vector<std::string>& warnings) {
     }
     const std::size_t n = command.arguments.size();
     if (std::find(known->counts.begin(), known->counts.end(), n) == known->counts.end())
-        warnings.push_back(place + format("has {} arguments; usual are {}", n,
-                                          counts_text(known->counts)));
+        warnings.push_back(place +
+                           format("has {} arguments; usual are {}", n, counts_text(known->counts)));
     const bool names_a_file = command.name == "adcDataSource";
     for (std::size_t i = 0; i < (names_a_file ? std::min<std::size_t>(n, 1) : n); ++i)
         command.number_or(i, format("argument {}", i + 1), 0.0);
@@ -154,8 +138,8 @@ const TiCommand* TiCommandFile::find(const std::string& name) const {
 
 const TiCommand& TiCommandFile::need(const std::string& name) const {
     if (const TiCommand* command = find(name)) return *command;
-    throw InputError(format("{}: {}: is missing; a radar needs chirpComnCfg and chirpTimingCfg",
-                            file, name));
+    throw InputError(
+        format("{}: {}: is missing; a radar needs chirpComnCfg and chirpTimingCfg", file, name));
 }
 
 }  // namespace specula

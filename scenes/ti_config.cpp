@@ -15,7 +15,8 @@ constexpr double adc_clock_hz = 100e6;
 constexpr int most_chirps = 1024;
 
 void warn(Radar& radar, const TiCommand& command, const std::string& what) {
-    radar.warnings.push_back(format("{}:{}: {}: {}", command.file, command.line, command.name, what));
+    radar.warnings.push_back(
+        format("{}:{}: {}: {}", command.file, command.line, command.name, what));
 }
 
 std::vector<int> channels_of(const TiCommand& command, std::size_t i, const std::string& what,
@@ -76,8 +77,9 @@ void set_sampling(Radar& radar, const TiCommand& command) {
     chirp.n_samples = command.whole_or(3, "numOfAdcSamples", chirp.n_samples);
     if (chirp.n_samples < 16 || chirp.n_samples > 1024 ||
         !std::has_single_bit(static_cast<unsigned>(chirp.n_samples)))
-        command.fail(3, "numOfAdcSamples", "is no power of two from 16 to 1024, so range bins "
-                                           "would be padded ones",
+        command.fail(3, "numOfAdcSamples",
+                     "is no power of two from 16 to 1024, so range bins "
+                     "would be padded ones",
                      "use 64, 128, 256 or 512");
     const int pattern = command.whole_or(4, "chirpTxMimoPatSel", 1);
     if (pattern != 0 && pattern != 1 && pattern != 4)
@@ -90,8 +92,8 @@ void set_sampling(Radar& radar, const TiCommand& command) {
     const auto& corners_hz = radar.limits.high_pass_hz;
     const int code = command.whole_or(6, "chirpRxHpfSel", 0);
     if (code < 0 || static_cast<std::size_t>(code) >= corners_hz.size())
-        command.fail(6, "chirpRxHpfSel", format("the board has codes 0 to {}",
-                                                static_cast<int>(corners_hz.size()) - 1),
+        command.fail(6, "chirpRxHpfSel",
+                     format("the board has codes 0 to {}", static_cast<int>(corners_hz.size()) - 1),
                      "choose one of them");
     radar.receiver.high_pass_hz = corners_hz[static_cast<std::size_t>(code)];
 }
@@ -115,7 +117,8 @@ void set_frame(Radar& radar, const TiCommand& command) {
     const int bursts = command.whole_or(3, "numOfBurstsInFrame", 1);
     const double chirps = static_cast<double>(in_burst) * bursts;
     if (in_burst < 1 || bursts < 1 || chirps > most_chirps)
-        command.fail(in_burst < 1 ? 0 : 3, in_burst < 1 ? "numOfChirpsInBurst" : "numOfBurstsInFrame",
+        command.fail(in_burst < 1 ? 0 : 3,
+                     in_burst < 1 ? "numOfChirpsInBurst" : "numOfBurstsInFrame",
                      format("makes a frame of {:.0f} chirps", chirps),
                      format("give 1 to {} together", most_chirps));
     radar.chirps_per_frame = static_cast<int>(chirps);
@@ -181,8 +184,8 @@ void check_limits(const Radar& radar, const TiCommandFile& file) {
         if (const TiCommand* command = file.find(place.command))
             command->fail(place.argument, place.what, breach->problem, breach->remedy);
     }
-    throw InputError(format("{}: {}: {}; {}", file.file, breach->setting, breach->problem,
-                            breach->remedy));
+    throw InputError(
+        format("{}: {}: {}; {}", file.file, breach->setting, breach->problem, breach->remedy));
 }
 
 }  // namespace
@@ -203,7 +206,8 @@ Radar read_ti_config(const std::filesystem::path& path, const std::filesystem::p
     if (const TiCommand* command = file.find("antGeometryCfg")) place_antennas(radar, *command);
     if (const TiCommand* command = file.find("channelCfg")) {
         const auto tx = channels_of(*command, 1, "txChCtrlBitMask", radar.n_tx());
-        radar.use_rx(channels_of(*command, 0, "rxChCtrlBitMask", static_cast<int>(radar.rx.size())));
+        radar.use_rx(
+            channels_of(*command, 0, "rxChCtrlBitMask", static_cast<int>(radar.rx.size())));
         radar.use_tx(tx);
     }
     set_sampling(radar, common);

@@ -16,8 +16,7 @@ constexpr std::size_t longest_shown = 40;  // bytes of a wrong word
 /// A word fit for a message: no control characters, no endless one.
 std::string shown(std::string_view word) {
     std::string text;
-    for (const char c : word.substr(0, longest_shown))
-        text += c >= 0x20 && c < 0x7f ? c : '?';
+    for (const char c : word.substr(0, longest_shown)) text += c >= 0x20 && c < 0x7f ? c : '?';
     return word.size() > longest_shown ? text + "..." : text;
 }
 
@@ -39,8 +38,8 @@ bool TokenReader::next_line() {
 std::string_view TokenReader::word_in_line() {
     const std::size_t begin = rest_of_line_.find_first_not_of(blank);
     if (begin == std::string_view::npos) return rest_of_line_ = {};
-    const std::size_t end = std::min(rest_of_line_.find_first_of(blank, begin),
-                                     rest_of_line_.size());
+    const std::size_t end =
+        std::min(rest_of_line_.find_first_of(blank, begin), rest_of_line_.size());
     const std::string_view word = rest_of_line_.substr(begin, end - begin);
     rest_of_line_.remove_prefix(end);
     return word;
@@ -82,7 +81,8 @@ std::int64_t TokenReader::whole_from(std::string_view word, std::string_view wha
 }
 
 void TokenReader::fail(std::string_view problem, std::string_view remedy) const {
-    throw InputError(format("{}:{}: {}; {}", file_, std::max<std::size_t>(line_, 1), problem, remedy));
+    throw InputError(
+        format("{}:{}: {}; {}", file_, std::max<std::size_t>(line_, 1), problem, remedy));
 }
 
 }  // namespace specula

@@ -27,7 +27,7 @@ double tx_weight(Multiplexing multiplexing, int tx, const TxTurn& turn) {
 
 Multiplexing read_multiplexing(Section& section, const std::string& key) {
     return section.choice(key, {"tdm", "bpm"}, "tdm") == "tdm" ? Multiplexing::tdm
-                                                              : Multiplexing::bpm;
+                                                               : Multiplexing::bpm;
 }
 
 }  // namespace specula

@@ -31,8 +31,8 @@ struct TxTurn {
 
 /// What TX number `tx` sends in a chirp: 1, 0 or -1 times its amplitude.
 ///
-/// TDM: chirp c belongs to TX c mod n. BPM: the sign of row `tx` of the Walsh-Hadamard matrix of the
-/// next power of two, column c; with two TX the signs are ++ and +-, as in TI's pattern 4.
+/// TDM: chirp c belongs to TX c mod n. BPM: the sign of row `tx` of the Walsh-Hadamard matrix of
+/// the next power of two, column c; with two TX the signs are ++ and +-, as in TI's pattern 4.
 double tx_weight(Multiplexing multiplexing, int tx, const TxTurn& turn);
 
 /// "tdm" or "bpm".

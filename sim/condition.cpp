@@ -24,8 +24,7 @@ Pose Condition::pose(int session) const {
     return pose;
 }
 
-Condition read_condition(Section section, const Radar& radar, double nominal_height_m,
-                         int number) {
+Condition read_condition(Section section, const Radar& radar, double nominal_height_m, int number) {
     Condition condition;
     condition.number = number;
     condition.name = section.text("name");
@@ -55,8 +54,7 @@ Condition read_condition(Section section, const Radar& radar, double nominal_hei
         condition.pivot_m = {p[0], p[1], p[2]};
     }
     condition.new_samples = section.choice("samples", {"known", "new"}, "known") == "new";
-    condition.sessions =
-        section.count("sessions", Range::between(1, Condition::most_sessions));
+    condition.sessions = section.count("sessions", Range::between(1, Condition::most_sessions));
     condition.frames = section.count("frames", Range::between(1, Condition::most_frames));
     if (condition.sessions_per_class() > Condition::most_sessions)
         section.fail("sessions",

@@ -57,9 +57,10 @@ Mesh height_field(const Plate& plate, const Heights& heights, Stream& piece) {
     const double per_m = points_per_correlation / heights.correlation_m;
     const double n_triangles = 2.0 * plate.size_x_m * plate.size_y_m * per_m * per_m;
     if (n_triangles > most_triangles)
-        throw InputError(format("solver.roughness = height_field: {:.3g} triangles of a fifth of "
-                                "the correlation length; use statistical, or a smaller sample",
-                                n_triangles));
+        throw InputError(
+            format("solver.roughness = height_field: {:.3g} triangles of a fifth of "
+                   "the correlation length; use statistical, or a smaller sample",
+                   n_triangles));
     const Side x(plate.size_x_m, heights.correlation_m), y(plate.size_y_m, heights.correlation_m);
     const std::vector<double> unit = unit_heights(x, y, piece);
     Mesh mesh;

@@ -37,13 +37,15 @@ void add_limits(const std::string& name, const Sample& matter, const Stack& stac
     const double wavelengths = width_m(matter) * stack.frequency_hz / speed_of_light_m_s;
     const bool metal = edge_coefficient(stack) != 0.0;
     if (wavelengths < fewest_wavelengths)
-        limits.push_back(format("{} is {:.2g} wavelengths wide; below {:.0f} edges decide the "
-                                "echo, not faces, and no error is known",
-                                name, wavelengths, fewest_wavelengths));
+        limits.push_back(
+            format("{} is {:.2g} wavelengths wide; below {:.0f} edges decide the "
+                   "echo, not faces, and no error is known",
+                   name, wavelengths, fewest_wavelengths));
     else if (!metal && wavelengths < wide_dielectric_wavelengths)
-        limits.push_back(format("{}, no metal, is {:.3g} wavelengths wide; below {:.0f} the echo "
-                                "may be off by up to 1.2 dB, at 4 by 5 dB and more",
-                                name, wavelengths, wide_dielectric_wavelengths));
+        limits.push_back(
+            format("{}, no metal, is {:.3g} wavelengths wide; below {:.0f} the echo "
+                   "may be off by up to 1.2 dB, at 4 by 5 dB and more",
+                   name, wavelengths, wide_dielectric_wavelengths));
     if (solver.edge_currents && !metal)
         limits.push_back(format("edge_currents: {} is no metal; its edges are left out", name));
 }
@@ -88,13 +90,14 @@ std::vector<std::string> echo_limits(const Scene& scene, const Library& material
     const double level_db =
         10.0 * std::log10(power / (mirror * mirror * mean_reflected_power(sample, comb)));
     if (level_db > weak_db) return {};
-    const bool with_edges = scene.solver.edge_currents &&
-                            edge_coefficient(sample(chirp.centre_hz())) != 0.0;
-    return {format("the echo is {:.1f} dB below that of an endless sheet; below {:.0f} dB edges "
-                   "count, and full-wave solutions differ by up to {}",
-                   -level_db, -weak_db,
-                   with_edges ? "0.5 dB even with edge_currents"
-                              : "1.5 dB (metal: try edge_currents = true in [solver])")};
+    const bool with_edges =
+        scene.solver.edge_currents && edge_coefficient(sample(chirp.centre_hz())) != 0.0;
+    return {
+        format("the echo is {:.1f} dB below that of an endless sheet; below {:.0f} dB edges "
+               "count, and full-wave solutions differ by up to {}",
+               -level_db, -weak_db,
+               with_edges ? "0.5 dB even with edge_currents"
+                          : "1.5 dB (metal: try edge_currents = true in [solver])")};
 }
 
 }  // namespace specula

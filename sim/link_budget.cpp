@@ -29,8 +29,7 @@ double passed_noise(const Radar& radar) {
 
 LinkBudget mirror_budget(const Radar& radar, double height_m) {
     LinkBudget budget;
-    budget.received_dbm =
-        radar.tx_power_dbm + 20.0 * std::log10(mirror_transfer(radar, height_m));
+    budget.received_dbm = radar.tx_power_dbm + 20.0 * std::log10(mirror_transfer(radar, height_m));
     budget.beat_hz = radar.chirp.beat_hz(height_m);
     budget.high_pass_db = radar.receiver.high_pass_db(budget.beat_hz);
     budget.amplitude_lsb = radar.amplitude_lsb(budget.received_dbm + budget.high_pass_db);

@@ -5,10 +5,10 @@
 
 namespace specula {
 
-/// Where a smooth sample would mirror the radar back to itself, if it were large enough: what decides
-/// whether a tilt, or a height, changes the echo.
+/// Where a smooth sample would mirror the radar back to itself, if it were large enough: what
+/// decides whether a tilt, or a height, changes the echo.
 struct MirrorFoot {
-    double x_m = 0.0;               ///< from the centre of the face, along its own axes
+    double x_m = 0.0;  ///< from the centre of the face, along its own axes
     double y_m = 0.0;
     double range_m = 0.0;           ///< from the phase centre to the foot
     double fresnel_radius_m = 0.0;  ///< around it lies what the echo is made of
@@ -23,8 +23,8 @@ struct MirrorFoot {
 /// The foot of the perpendicular from the phase centre to the plane of the face.
 /// @in   frequency_hz  > 0
 /// @eq   PHYSICS.md#mirror-foot, #fresnel-zone, #bow-divergence
-/// Limit: the divergence is that of rays, for foci farther than the radar; the rim's waves, which add
-/// up to 2 dB on a 30 cm face, are not in it.
+/// Limit: the divergence is that of rays, for foci farther than the radar; the rim's waves, which
+/// add up to 2 dB on a 30 cm face, are not in it.
 MirrorFoot mirror_foot(const Pose& pose, const Plate& face, double frequency_hz);
 
 }  // namespace specula

@@ -24,9 +24,9 @@ struct SampleLaw {
 /// How a session differs from the bench drawing: the sample is put down again, the board has
 /// warmed up, someone moved a chair.
 struct SessionLaw {
-    Distribution height_m;   ///< error of the height
-    Distribution tilt_rad;   ///< error of the sample's tilt, each axis
-    Distribution offset_m;   ///< error of the sample's place, each axis
+    Distribution height_m;  ///< error of the height
+    Distribution tilt_rad;  ///< error of the sample's tilt, each axis
+    Distribution offset_m;  ///< error of the sample's place, each axis
     Distribution yaw_rad;
     Distribution gain_db;
     Distribution leakage_db;
@@ -43,7 +43,7 @@ struct FrameLaw {
     Distribution displacement_m;
     Distribution gain_db;
     Distribution velocity_m_s{};
-    Distribution vibration_m{}; ///< peak, within the frame
+    Distribution vibration_m{};  ///< peak, within the frame
     Distribution vibration_hz{};
 };
 

@@ -42,8 +42,7 @@ Target target_of(const Scene& scene, std::span<const Reflector> reflectors) {
     // With nothing behind it, what comes through a sample is lost.
     const bool sample_opaque =
         scene.objects.empty() || is_opaque(scene.sample, reflectors[0], centre_hz);
-    std::vector<Body> bodies{
-        body_of(scene.sample, sample_placement(scene.pose), sample_opaque)};
+    std::vector<Body> bodies{body_of(scene.sample, sample_placement(scene.pose), sample_opaque)};
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const SceneObject& object = scene.objects[i];
         bodies.push_back(body_of(object.matter, object.placement(scene.pose),

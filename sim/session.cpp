@@ -50,8 +50,7 @@ std::uint64_t seed_of_piece(const Bench& bench, const Condition& condition, cons
 
 Sample draw_sample(const Bench& bench, const Condition& condition, const SessionId& id) {
     const SampleLaw& law = bench.population.classes[static_cast<std::size_t>(id.label)];
-    Stream stream(
-        key_of(bench, id, "sample", static_cast<std::uint32_t>(piece_of(condition, id))));
+    Stream stream(key_of(bench, id, "sample", static_cast<std::uint32_t>(piece_of(condition, id))));
     // The tail of a normal law that would lie below zero is folded back.
     const auto positive = [&](const Distribution& of) { return std::abs(of.sample(stream)); };
     Sample sample = law.nominal;
@@ -154,8 +153,7 @@ SessionFrames simulate_session(const Bench& bench, const Condition& condition,
     const bool board_drifts = bench.population.session.board_drifts();
     const Channel leakage = leakage_channel(bench.radar, placed.board);
     const Channel silence = silent_channel(leakage.n_rx, comb_of(bench.radar.chirp));
-    const Channel still =
-        still_channel(bench, condition, id, board_drifts ? silence : leakage);
+    const Channel still = still_channel(bench, condition, id, board_drifts ? silence : leakage);
     const ReceiverInput input{
         .echo = dechirp(echo, bench.radar.chirp),
         .still = dechirp(still, bench.radar.chirp),
@@ -167,8 +165,7 @@ SessionFrames simulate_session(const Bench& bench, const Condition& condition,
     SessionFrames out;
     Truth truth = session_truth(condition, id, sample, placed.pose);
     for (int i = 0; i < condition.frames; ++i) {
-        const std::uint32_t item =
-            (item_of(condition, id) << 12) | static_cast<std::uint32_t>(i);
+        const std::uint32_t item = (item_of(condition, id) << 12) | static_cast<std::uint32_t>(i);
         const double share = condition.frames > 1 ? i / (condition.frames - 1.0) : 0.5;
         FrameState state = draw_frame(bench.population.frame, key_of(bench, id, "frame", item));
         state.gain_db += placed.gain_db + drift.gain_db(share);

@@ -74,11 +74,9 @@ MeanEcho mean_echo(const Scene& scene, const Library& materials) {
                   .diffuse_power = {}};
     echo.diffuse_power.resize(echo.coherent.h.size(), 0.0);
     for (const RoughBody& body : rough_bodies(scene, stage)) {
-        for (const RoughLayer& layer :
-             rough_layers(body, stage.comb, scene.solver.accuracy_db)) {
-            const std::vector<double> power =
-                mean_diffuse_power(diffuse_cells(stage.target, stage.antennas, layer),
-                                   stage.reflectors, stage.comb);
+        for (const RoughLayer& layer : rough_layers(body, stage.comb, scene.solver.accuracy_db)) {
+            const std::vector<double> power = mean_diffuse_power(
+                diffuse_cells(stage.target, stage.antennas, layer), stage.reflectors, stage.comb);
             for (std::size_t i = 0; i < power.size(); ++i) echo.diffuse_power[i] += power[i];
         }
     }
@@ -87,8 +85,8 @@ MeanEcho mean_echo(const Scene& scene, const Library& materials) {
 
 Channel leakage_channel(const Radar& radar, const BoardDrift& drift) {
     if (radar.n_tx() > 1)
-        return channel_of_every_tx(
-            radar, [&](const Radar& one) { return leakage_channel(one, drift); });
+        return channel_of_every_tx(radar,
+                                   [&](const Radar& one) { return leakage_channel(one, drift); });
     const FrequencyComb comb = comb_of(radar.chirp);
     Channel channel = silent_channel(static_cast<int>(radar.rx.size()), comb);
     for (const Leakage& leak : radar.leakage) {
@@ -96,8 +94,8 @@ Channel leakage_channel(const Radar& radar, const BoardDrift& drift) {
         add_path(channel, comb,
                  {.rx = leak.rx,
                   .length_m = 2.0 * leak.range_m,
-                  .transfer = std::polar(std::pow(10.0, db / 20.0),
-                                         leak.phase_rad + drift.leakage_rad)});
+                  .transfer =
+                      std::polar(std::pow(10.0, db / 20.0), leak.phase_rad + drift.leakage_rad)});
     }
     return channel;
 }

@@ -20,7 +20,7 @@ std::string bytes_of(Value value, std::endian order) {
 inline std::map<std::string, std::string> tetrahedron_files() {
     const float at[4][3] = {{0, 0, 0}, {10, 0, 0}, {0, 20, 0}, {0, 0, 30}};
     const int faces[4][3] = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
-    const auto words = [](const float (&v)[3]) {
+    const auto words = [](const float(&v)[3]) {
         return std::to_string(v[0]) + " " + std::to_string(v[1]) + " " + std::to_string(v[2]);
     };
     std::map<std::string, std::string> files;

@@ -12,7 +12,7 @@ struct AdcFrame {
     int n_chirps = 0;
     int n_rx = 0;
     int n_samples = 0;
-    std::vector<std::int16_t> codes;       ///< in phase
+    std::vector<std::int16_t> codes;         ///< in phase
     std::vector<std::int16_t> quadrature{};  ///< as codes, of a complex receiver; else empty
 
     /// The frame as the firmware takes it; valid as long as this frame lives.

@@ -36,7 +36,8 @@ void Interference::add(std::span<std::complex<double>> beat, const Meeting& meet
         if (weight == 0.0) continue;
         const double turns =
             phase_turns + at_begin_hz * since_s + 0.5 * slope_hz_s * since_s * since_s;
-        beat[i] += meeting.amplitude * weight * std::polar(1.0, two_pi * (turns - std::floor(turns)));
+        beat[i] +=
+            meeting.amplitude * weight * std::polar(1.0, two_pi * (turns - std::floor(turns)));
     }
 }
 

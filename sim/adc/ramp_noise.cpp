@@ -28,8 +28,8 @@ void RampNoise::apply(std::span<std::complex<double>> beat, std::span<const doub
         if (i < 0) return nominal[0] + static_cast<double>(i) * (nominal[1] - nominal[0]);
         if (i < n) return nominal[static_cast<std::size_t>(i)];
         const auto& last = nominal[static_cast<std::size_t>(n - 1)];
-        return last + static_cast<double>(i - n + 1) *
-                          (last - nominal[static_cast<std::size_t>(n - 2)]);
+        return last +
+               static_cast<double>(i - n + 1) * (last - nominal[static_cast<std::size_t>(n - 2)]);
     };
     for (std::ptrdiff_t i = 0; i < n; ++i) {
         const auto slope = (8.0 * (at(i + 1) - at(i - 1)) - (at(i + 2) - at(i - 2))) / 12.0;

@@ -41,9 +41,8 @@ std::vector<double> visible_start_up(const Radar& radar) {
         {.latency_samples = latency, .fraction = radar.receiver.start_up_fraction});
     std::vector<double> visible;  // sample n of the frame is n + settle after the start
     for (int n = 0; n < radar.chirp.n_samples && n + settle <= latency; ++n)
-        visible.push_back(n + settle < -latency
-                              ? 0.0
-                              : ringing[static_cast<std::size_t>(n + settle + latency)]);
+        visible.push_back(
+            n + settle < -latency ? 0.0 : ringing[static_cast<std::size_t>(n + settle + latency)]);
     return visible;
 }
 
@@ -93,8 +92,8 @@ void ReceiverChain::turn_echo(const FrameState& state, Chirp& chirp) const {
     for (std::size_t i = 0; i < chirp.echo_turn.size(); ++i) {
         double away_m = state.displacement_m;
         if (!state.motion.is_rest())
-            away_m += state.motion.displacement_m(
-                begin_s + static_cast<double>(i) / radar_.chirp.sample_rate_hz);
+            away_m += state.motion.displacement_m(begin_s + static_cast<double>(i) /
+                                                                radar_.chirp.sample_rate_hz);
         chirp.echo_turn[i] = std::polar(chirp.gain, 2.0 * wavenumber_rad_m_[i] * away_m);
     }
 }
@@ -184,8 +183,7 @@ AdcFrame ReceiverChain::receive(const ReceiverInput& input, const FrameState& st
     Stream ramp(for_purpose(state.draw, "ramp")), other(for_purpose(state.draw, "interferer"));
     std::vector<Complex> beat(n_samples);
     for (chirp.turn.chirp = 0; chirp.turn.chirp < frame.n_chirps; ++chirp.turn.chirp) {
-        if (chirp.turn.chirp == 0 || !state.motion.is_rest())
-            turn_echo(state, chirp);
+        if (chirp.turn.chirp == 0 || !state.motion.is_rest()) turn_echo(state, chirp);
         if (!ramp_noise_.is_silent()) chirp.frequency_error = ramp_noise_.draw(n_samples, ramp);
         const double lead_s = interference_ ? interference_->draw_lead_s(other) : 0.0;
         for (int rx = 0; rx < n_rx; ++rx) {

@@ -73,7 +73,7 @@ class ReceiverChain {
     RampNoise ramp_noise_;
     std::optional<Interference> interference_;
     HighPass high_pass_;
-    std::size_t n_dark_;  ///< samples before the TX sends
+    std::size_t n_dark_;                    ///< samples before the TX sends
     std::vector<double> start_up_;          ///< (sample of the frame), as far as it reaches
     std::vector<double> wavenumber_rad_m_;  ///< (sample, settling ones included)
 };

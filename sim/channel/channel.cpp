@@ -72,8 +72,7 @@ void add_straight(const RouteScatter& scatter, std::span<const Reflector> reflec
         return add_plainly(scatter, reflectors, comb, for_each, channel);
     const auto looks_hz = looks_of(comb);
     grid.cos_incidence.n = polynomials_needed(currents, reflector, looks_hz, grid.cos_incidence);
-    if (grid.cos_incidence.n == 0)
-        return add_plainly(scatter, reflectors, comb, for_each, channel);
+    if (grid.cos_incidence.n == 0) return add_plainly(scatter, reflectors, comb, for_each, channel);
 
     const std::vector<double> frequencies_hz = frequencies_of(comb);
     const auto from_nodes = interpolation_matrix(grid.frequency_hz, frequencies_hz);

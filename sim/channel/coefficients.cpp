@@ -63,8 +63,7 @@ TeTm coefficients_of(const Event& event, const Stack& stack, double cos_incidenc
         case Event::Kind::scatter:
             break;
     }
-    const Reflection diffuse =
-        diffuse_reflection(stack, face_of(stack, event.face), cos_incidence);
+    const Reflection diffuse = diffuse_reflection(stack, face_of(stack, event.face), cos_incidence);
     return {diffuse.te, diffuse.tm};
 }
 

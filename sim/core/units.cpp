@@ -10,8 +10,7 @@ namespace {
 constexpr UnitSuffix length[] = {{"mm", 1e-3}, {"m", 1.0}, {"cm", 1e-2}, {"um", 1e-6}};
 constexpr UnitSuffix angle[] = {{"deg", pi / 180.0}, {"rad", 1.0}};
 constexpr UnitSuffix frequency[] = {{"ghz", 1e9}, {"mhz", 1e6}, {"khz", 1e3}, {"hz", 1.0}};
-constexpr UnitSuffix time[] = {
-    {"us", 1e-6}, {"ms", 1e-3}, {"s", 1.0}, {"ns", 1e-9}, {"ps", 1e-12}};
+constexpr UnitSuffix time[] = {{"us", 1e-6}, {"ms", 1e-3}, {"s", 1.0}, {"ns", 1e-9}, {"ps", 1e-12}};
 constexpr UnitSuffix slope[] = {{"mhz_per_us", 1e12}, {"hz_per_s", 1.0}};
 constexpr UnitSuffix conductivity[] = {{"s_per_m", 1.0}};
 constexpr UnitSuffix voltage[] = {{"v", 1.0}, {"mv", 1e-3}};

@@ -28,7 +28,8 @@ constexpr std::array<Count, 4> counts{{
 
 AdcInjection read_adc_injection(Bytes bytes) {
     AdcInjection injection;
-    const std::size_t n_codes = bytes.size() < injection_header_bytes ? 0 : (bytes.size() - injection_header_bytes) / 2;
+    const std::size_t n_codes =
+        bytes.size() < injection_header_bytes ? 0 : (bytes.size() - injection_header_bytes) / 2;
     std::size_t claimed = 1;
     for (std::size_t i = 0; i < counts.size(); ++i) {
         const std::size_t n = u32_at(bytes, 4 * i, "the header");

@@ -23,7 +23,7 @@ struct CodeCube {
     std::size_t n_recordings = 1;
     std::size_t n_frames = 0;  ///< of all recordings together
     std::size_t n_chirps = 1, n_rx = 1, n_samples = 1;
-    std::vector<std::int16_t> in_phase{};  ///< (frame, chirp, rx, sample)
+    std::vector<std::int16_t> in_phase{};    ///< (frame, chirp, rx, sample)
     std::vector<std::int16_t> quadrature{};  ///< the same, or empty
 };
 

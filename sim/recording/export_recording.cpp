@@ -146,8 +146,8 @@ std::vector<ExportedFile> export_uart(const Outgoing& o) {
     const std::size_t n_answers = o.dataset.answer_names.size();
     constexpr std::size_t most_bins = std::numeric_limits<std::uint16_t>::max();
     if (n_bins > most_bins)
-        throw InputError(format("{} features: a packet holds at most {} bins; use csv or npy", n_bins,
-                                most_bins));
+        throw InputError(format("{} features: a packet holds at most {} bins; use csv or npy",
+                                n_bins, most_bins));
     std::string stream;
     for (std::size_t i = 0; i < o.dataset.n_frames(); ++i) {
         UartFrame frame{.number = static_cast<std::uint32_t>(o.dataset.truth[i].frame)};

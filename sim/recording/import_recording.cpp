@@ -202,11 +202,12 @@ struct ImportFormat {
     void (*import)(const fs::path&, const RecordingManifest&, Draft&);
 };
 const std::vector<ImportFormat>& import_formats() {
-    static const std::vector<ImportFormat> all{{"adc", import_adc},   {"dca1000", import_dca1000},
-                                         {"rdif", import_rdif}, {"injection", import_injection},
-                                         {"uart", import_uart}, {"infineon", import_infineon},
-                                         {"npy", import_npy},   {"npz", import_npz},
-                                         {"csv", import_csv}};
+    static const std::vector<ImportFormat> all{
+        {"adc", import_adc},   {"dca1000", import_dca1000},
+        {"rdif", import_rdif}, {"injection", import_injection},
+        {"uart", import_uart}, {"infineon", import_infineon},
+        {"npy", import_npy},   {"npz", import_npz},
+        {"csv", import_csv}};
     return all;
 }
 

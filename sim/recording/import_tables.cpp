@@ -42,8 +42,7 @@ void check_alike(const UartFrame& frame, const UartFrame& first) {
 std::size_t column_index(const CsvRows& table, const std::string& name) {
     const auto found = std::ranges::find(table.columns, name);
     if (found == table.columns.end())
-        fail_at(0, format("no column is called \"{}\"", name),
-                "use " + quoted_list(table.columns));
+        fail_at(0, format("no column is called \"{}\"", name), "use " + quoted_list(table.columns));
     return static_cast<std::size_t>(found - table.columns.begin());
 }
 

@@ -10,7 +10,7 @@ namespace specula {
 /// where there is no 302) and the classifier's answer (TLV 1031).
 struct UartFrame {
     std::uint32_t number = 0;
-    std::size_t offset = 0;              ///< of the packet in the stream
+    std::size_t offset = 0;                ///< of the packet in the stream
     std::vector<std::uint32_t> profile{};  ///< (range bin), linear
     std::uint32_t class_type = 0;
     std::vector<float> probability{};  ///< (class); may be empty

@@ -40,8 +40,8 @@ class EdgeTracer {
         const double size_m = 2.0 * piece.half() * edge.at(piece.at(0.0)).stretch_m;
         const std::vector<FreeEdge::Place> places = places_on(edge, piece);
         const std::vector<char> seen = seen_of(places, rx);
-        const bool mixed = !std::all_of(seen.begin(), seen.end(),
-                                        [&](char each) { return each == seen.front(); });
+        const bool mixed =
+            !std::all_of(seen.begin(), seen.end(), [&](char each) { return each == seen.front(); });
         const bool can_be_cut = size_m > smallest_piece_wavelengths * wavelength_m_;
         if (turn_rad(edge, piece, rx) > most_turn_rad || (mixed && can_be_cut)) {
             add(edge, rx, {piece.low, piece.at(0.0)}, pair);
@@ -67,8 +67,8 @@ class EdgeTracer {
         for (int i = 0; i < looks_at_turn; ++i) {
             const double s = 2.0 * i / (looks_at_turn - 1) - 1.0;
             const Vector3 point = edge.at(piece.at(s * (1.0 - 1e-9))).point_m;
-            const double path_m = (point - antennas_.tx.position_m).norm() +
-                                  (point - rx.position_m).norm();
+            const double path_m =
+                (point - antennas_.tx.position_m).norm() + (point - rx.position_m).norm();
             low = i == 0 ? path_m : std::min(low, path_m);
             high = i == 0 ? path_m : std::max(high, path_m);
         }

@@ -232,8 +232,7 @@ std::vector<int> Geometry::crossings(const Vector3& from, const Vector3& to) con
 
 bool Geometry::holds(int geometry, const Vector3& point, const Vector3& direction) const {
     const Vector3 along = held_->frame.direction(direction);
-    Way way{held_->frame.point(point) - 2.0 * end_margin_m * along, along, 0.0,
-            4.0 * end_margin_m};
+    Way way{held_->frame.point(point) - 2.0 * end_margin_m * along, along, 0.0, 4.0 * end_margin_m};
     while (traceable(way)) {
         RTCRayHit ray = ray_along(way);
         if (!intersect(held_->scene, ray)) return false;

@@ -29,8 +29,8 @@ struct OwnFrame {
 ///
 /// Embree answers in single precision, so it decides only what stands between two points, never
 /// how far apart they are. It works in a frame of the scene's own, so that moving or turning the
-/// whole scene changes nothing, and rays are cut to the sphere around the scene, so that far antennas
-/// cost no precision. Safe to ask from many threads at once.
+/// whole scene changes nothing, and rays are cut to the sphere around the scene, so that far
+/// antennas cost no precision. Safe to ask from many threads at once.
 class Geometry {
   public:
     /// Mesh i is geometry i. Throws InputError when a vertex is not finite in single precision or

@@ -46,9 +46,7 @@ struct PairScatter {
     std::vector<std::vector<double>> weight;        ///< (weight, point), dimensionless
     std::vector<double> phase_rad{};  ///< (point) added to -k path; empty where there is none
 
-    double phase_at(std::size_t point) const {
-        return phase_rad.empty() ? 0.0 : phase_rad[point];
-    }
+    double phase_at(std::size_t point) const { return phase_rad.empty() ? 0.0 : phase_rad[point]; }
 };
 
 struct RouteScatter {

@@ -64,8 +64,8 @@ void add_cell(const CellView& view, bool clear, PairScatter& pair) {
     const Vector3 to_rx = view.rx.position_m - view.cell.point_m;
     const double r1 = from_tx.norm(), r2 = to_rx.norm();
     const Vector3 in = from_tx / r1, out = to_rx / r2;
-    const Vector3 normal = in.dot(view.cell.normal) > 0.0 ? Vector3(-view.cell.normal)
-                                                          : Vector3(view.cell.normal);
+    const Vector3 normal =
+        in.dot(view.cell.normal) > 0.0 ? Vector3(-view.cell.normal) : Vector3(view.cell.normal);
     const Vector3 between = (out - in).normalized();
     const double cosine = between.dot(normal);
     pair.path_m.push_back(r1 + r2);
@@ -80,8 +80,8 @@ void add_cell(const CellView& view, bool clear, PairScatter& pair) {
                                             .tx_field = view.tx.field_towards(in),
                                             .rx_field = view.rx.field_towards(-out)});
     // Slopes of the heights turn facets towards the antennas: 1 / cos^2 in Kirchhoff's integral.
-    const double spread = std::sqrt(view.cell.area_m2) /
-                          (r1 * r2 * std::max(cosine * cosine, grazing_cos_squared));
+    const double spread =
+        std::sqrt(view.cell.area_m2) / (r1 * r2 * std::max(cosine * cosine, grazing_cos_squared));
     pair.cos_incidence.push_back(std::min(1.0, cosine));
     pair.weight[0].push_back(0.0);  // the unreflected part scatters forwards only
     pair.weight[1].push_back(w.te * spread);

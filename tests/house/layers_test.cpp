@@ -12,9 +12,18 @@ namespace {
 // Left to right; folders of one row may include each other. A folder that is not listed belongs to
 // the nearest listed one above it (materials/models, tools/specula).
 const std::vector<std::vector<std::string>> order{
-    {"firmware"},    {"sim/core"},    {"materials"},  {"scenes"},
-    {"sim/trace"},   {"sim/channel"}, {"sim/signal"}, {"sim/adc"},
-    {"sim/dataset"}, {"sim/recording"}, {"sim"}, {"classifier"},
+    {"firmware"},
+    {"sim/core"},
+    {"materials"},
+    {"scenes"},
+    {"sim/trace"},
+    {"sim/channel"},
+    {"sim/signal"},
+    {"sim/adc"},
+    {"sim/dataset"},
+    {"sim/recording"},
+    {"sim"},
+    {"classifier"},
     {"tools/report", "tools/study", "tools/sweep", "tools/validate"},
     {"tools"},
 };
@@ -86,7 +95,9 @@ const std::vector<Door> doors{
     {{"spdlog/"}, {"tools/console/console.cpp"}, false},
     {{"fmt/"}, {"sim/core/format.hpp"}, false},
     {{"Random123/"}, {"sim/core/random.cpp"}, false},
-    {{"Eigen/", "unsupported/Eigen/"}, {"classifier/", "scenes/vector3.hpp", "tools/likeness/least_squares.cpp"}, false},
+    {{"Eigen/", "unsupported/Eigen/"},
+     {"classifier/", "scenes/vector3.hpp", "tools/likeness/least_squares.cpp"},
+     false},
     {{"catch2/", "catch.hpp"}, {"tests/check.hpp"}, true},
 };
 

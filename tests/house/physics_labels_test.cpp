@@ -23,8 +23,8 @@ std::map<std::string, std::size_t> labels_of(const std::string& text) {
 
 std::string word_at(const std::string& line, std::size_t begin) {
     std::size_t end = begin;
-    while (end < line.size() && (std::isalnum(static_cast<unsigned char>(line[end])) ||
-                                 line[end] == '-'))
+    while (end < line.size() &&
+           (std::isalnum(static_cast<unsigned char>(line[end])) || line[end] == '-'))
         ++end;
     return line.substr(begin, end - begin);
 }
@@ -53,8 +53,8 @@ Breaches unmet(const SourceTree& tree, const std::string& physics) {
             for (const auto& label : cited_in(file.lines[i])) {
                 cited.insert(label);
                 if (labels.count(label) == 0)
-                    breaches.push_back(breach(file.path, i + 1,
-                                              "cites #" + label + ", which PHYSICS.md has not"));
+                    breaches.push_back(
+                        breach(file.path, i + 1, "cites #" + label + ", which PHYSICS.md has not"));
             }
     }
     for (const auto& [label, line] : labels)
@@ -72,8 +72,9 @@ TEST_CASE("every equation cited is there, and every one there is cited", "[house
 
 TEST_CASE("a label without code, and a citation without a label, are found", "[house]") {
     MadeUpTree made_up;
-    made_up.with("sim/a.hpp", "/// @eq PHYSICS.md#known, #other; A. Author\n"
-                              "/// see PHYSICS.md#missing.\n");
+    made_up.with("sim/a.hpp",
+                 "/// @eq PHYSICS.md#known, #other; A. Author\n"
+                 "/// see PHYSICS.md#missing.\n");
     const Breaches breaches =
         unmet(made_up.read(), "# Physics\n\n### known\ntext\n### other\n### lonely\n");
     CHECK(breaches == Breaches{"sim/a.hpp:2: cites #missing, which PHYSICS.md has not",

@@ -84,10 +84,10 @@ TEST_CASE("a buried rough conductor scatters as the stack's reflection changes w
     const double roughness_m = 1e-6, correlation_m = 3e-3, depth_m = 3e-3;
     for (const double cosine : {1.0, 0.9}) {
         const auto stack_with = [&](double thickness_m, double heights_m) {
-            return Stack{{Layer{.medium = {.permittivity = {2.6, -0.03}},
-                                .thickness_m = thickness_m}},
-                         PerfectConductor{heights_m, correlation_m},
-                         frequency_hz};
+            return Stack{
+                {Layer{.medium = {.permittivity = {2.6, -0.03}}, .thickness_m = thickness_m}},
+                PerfectConductor{heights_m, correlation_m},
+                frequency_hz};
         };
         const double step_m = 1e-8;
         const Reflection more = stack_reflection(stack_with(depth_m - step_m, 0.0), cosine);

@@ -26,8 +26,9 @@ TEST_CASE("a chirp that the chip cannot make is refused, naming its limit", "[ra
     CHECK(error_with("start_ghz        = 57.5", "start_ghz = 56.9").find("57 to 64 GHz") !=
           std::string::npos);
     CHECK(error_with("slope_mhz_per_us = 150", "slope_mhz_per_us = 180") == "(no error)");
-    CHECK(error_with("sample_rate_mhz  = 5 ", "sample_rate_mhz = 20 ") ==
-          "chirp.sample_rate_mhz = 20: the IWRL6432 samples at 1 to 12.5 MHz; choose a rate between");
+    CHECK(
+        error_with("sample_rate_mhz  = 5 ", "sample_rate_mhz = 20 ") ==
+        "chirp.sample_rate_mhz = 20: the IWRL6432 samples at 1 to 12.5 MHz; choose a rate between");
     CHECK(error_with("gain_db         = 40 ", "gain_db = 42 ") ==
           "receiver.gain_db = 42: the IWRL6432 has gains of 30 to 40 dB in steps of 2 dB; choose "
           "one of them");

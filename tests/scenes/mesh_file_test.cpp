@@ -89,8 +89,9 @@ TEST_CASE("what is wrong with a mesh is told with its place and a way out", "[me
     CHECK(error_of("a.stl", "hello") ==
           "a.stl: byte 5: the file ends within the header of a binary STL; is it cut off? export "
           "it again");
-    CHECK(error_of("a.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
-                            "property float y\nend_header\n0 0\n") ==
+    CHECK(error_of("a.ply",
+                   "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
+                   "property float y\nend_header\n0 0\n") ==
           "a.ply:6: the vertices have no z; export the file again");
 }
 
@@ -99,8 +100,9 @@ TEST_CASE("a file that says more than it holds is refused at the byte where it e
     std::string stl = files.at("binary.stl");
     stl[80] = '\xff';
     stl[83] = '\x7f';
-    CHECK(error_of("a.stl", stl).find("a.stl: byte 80: says 2130706687 triangles, which are "
-                                      "106535334434 bytes, and the file has 284;") == 0);
+    CHECK(error_of("a.stl", stl)
+              .find("a.stl: byte 80: says 2130706687 triangles, which are "
+                    "106535334434 bytes, and the file has 284;") == 0);
     for (const char* name : {"little.ply", "big.ply"}) {
         const std::string ply = files.at(name);
         CHECK(error_of(name, ply.substr(0, ply.size() - 1)) ==
@@ -147,10 +149,18 @@ TEST_CASE("a damaged mesh is refused or read, but never believed blindly", "[mes
             for (std::size_t edits = 1 + draw(2); edits > 0 && !content.empty(); --edits) {
                 const std::size_t at = draw(content.size());
                 switch (draw(4)) {
-                    case 0: content[at] = static_cast<char>(draw(256)); break;
-                    case 1: content.erase(at, 1 + draw(20)); break;
-                    case 2: content.insert(at, content.substr(draw(content.size()), draw(40))); break;
-                    case 3: content.resize(at); break;
+                    case 0:
+                        content[at] = static_cast<char>(draw(256));
+                        break;
+                    case 1:
+                        content.erase(at, 1 + draw(20));
+                        break;
+                    case 2:
+                        content.insert(at, content.substr(draw(content.size()), draw(40)));
+                        break;
+                    case 3:
+                        content.resize(at);
+                        break;
                 }
             }
             const auto file = folder.with(name, content);
@@ -158,7 +168,8 @@ TEST_CASE("a damaged mesh is refused or read, but never believed blindly", "[mes
                 const MeshFile read = read_mesh(file, 1e-3);
                 for (const Vector3& vertex : read.mesh.vertices_m) REQUIRE(vertex.allFinite());
                 for (const auto& triangle : read.mesh.triangles)
-                    for (const auto corner : triangle) REQUIRE(corner < read.mesh.vertices_m.size());
+                    for (const auto corner : triangle)
+                        REQUIRE(corner < read.mesh.vertices_m.size());
                 ++n_read;
             } catch (const InputError& error) {
                 REQUIRE(std::string(error.what()).find("; ") != std::string::npos);

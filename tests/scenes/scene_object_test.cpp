@@ -13,17 +13,19 @@ const Catalogue& catalogue() {
 }
 
 const std::string least =
-    "radar = 'iwrl6432boost'\n"                                         // 1
-    "[sample]\nmaterial = 'plexiglass'\nsize_mm = [300, 200]\n"         // 2 to 4
-    "thickness_mm = 5\n[geometry]\nheight_mm = 450\n";                  // 5 to 7
+    "radar = 'iwrl6432boost'\n"                                  // 1
+    "[sample]\nmaterial = 'plexiglass'\nsize_mm = [300, 200]\n"  // 2 to 4
+    "thickness_mm = 5\n[geometry]\nheight_mm = 450\n";           // 5 to 7
 const std::string table =
-    "[[object]]\nname = 'table'\nmaterial = 'aluminium'\n"              // 8 to 10
+    "[[object]]\nname = 'table'\nmaterial = 'aluminium'\n"                   // 8 to 10
     "size_mm = [500, 500]\nthickness_mm = 20\nposition_mm = [0, 0, -50]\n";  // 11 to 13
 
 /// A folder with a mesh in it, for scenes that name one.
 struct MeshFolder : MadeUpFolder {
     MeshFolder() { with("body.stl", tetrahedron_files().at("text.stl")); }
-    Scene read(const std::string& text) const { return read_scene(with("x.toml", text), catalogue()); }
+    Scene read(const std::string& text) const {
+        return read_scene(with("x.toml", text), catalogue());
+    }
     std::string error_of(const std::string& text) const {
         const auto file = with("x.toml", text);
         const std::string message = message_of([&] { return read_scene(file, catalogue()); });
@@ -48,8 +50,9 @@ TEST_CASE("an object stands in the room, or is carried by the sample", "[scene][
     CHECK((still.objects[0].placement(still.pose).shift_m - Vector3(0, 0, -0.05)).norm() < 1e-15);
     const Scene carried = folder.read(tilted + table + "fixed_to = 'sample'\n");
     const Placement sample = sample_placement(carried.pose);
-    CHECK((carried.objects[0].placement(carried.pose).shift_m - sample.point({0, 0, -0.05})).norm() <
-          1e-15);
+    CHECK(
+        (carried.objects[0].placement(carried.pose).shift_m - sample.point({0, 0, -0.05})).norm() <
+        1e-15);
 }
 
 TEST_CASE("a rotation turns about x, then y, then z", "[scene][object]") {
@@ -97,9 +100,10 @@ TEST_CASE("what touches an antenna is refused, what comes near it is warned of",
           "[scene][object]") {
     const MeshFolder folder;
     const std::string height = least + edited(table, "-50", "447");
-    CHECK(folder.error_of(height).find(
-              "x.toml:8: object = [{...}]: table comes within 3 mm of an antenna; move the object or "
-              "the radar") == 0);
+    CHECK(
+        folder.error_of(height).find(
+            "x.toml:8: object = [{...}]: table comes within 3 mm of an antenna; move the object or "
+            "the radar") == 0);
     const Scene near = folder.read(least + edited(table, "-50", "430"));
     CHECK(holds(near.warnings, "table comes within 20 mm of an antenna; below 30 mm"));
     CHECK(folder.read(least + table).warnings.empty());
@@ -125,7 +129,8 @@ TEST_CASE("what lies behind the antennas, too far, or around them is warned of",
 
 TEST_CASE("roughness no less than the thickness is refused", "[scene][object]") {
     const MeshFolder folder;
-    const std::string rough = edited(least, "thickness_mm = 5", "thickness_um = 50\nroughness_um = 50");
+    const std::string rough =
+        edited(least, "thickness_mm = 5", "thickness_um = 50\nroughness_um = 50");
     CHECK(folder.error_of(rough) ==
           "x.toml:6: sample.roughness_um = 50: is no less than the thickness, 0.05 mm; the rms "
           "height of a face stays below the layer's thickness");

@@ -30,10 +30,10 @@ TEST_CASE("heights are statistics unless the file says otherwise", "[solver]") {
     using Roughness = Solver::Roughness;
     CHECK(solver_of("").roughness == Roughness::statistical);
     CHECK(solver_of("[solver]\nroughness = 'coherent'\n").roughness == Roughness::coherent);
-    CHECK(solver_of("[solver]\nroughness = 'height_field'\n").roughness ==
-          Roughness::height_field);
-    CHECK(message_of([] { return solver_of("[solver]\nroughness = 'mesh'\n"); })
-              .find("\"statistical\", \"height_field\" or \"coherent\"") != std::string::npos);
+    CHECK(solver_of("[solver]\nroughness = 'height_field'\n").roughness == Roughness::height_field);
+    CHECK(message_of([] {
+              return solver_of("[solver]\nroughness = 'mesh'\n");
+          }).find("\"statistical\", \"height_field\" or \"coherent\"") != std::string::npos);
 }
 
 TEST_CASE("a solver that cannot keep its promise is refused", "[solver]") {

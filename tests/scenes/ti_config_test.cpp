@@ -61,7 +61,8 @@ TEST_CASE("a TI command file sets up chirp, channels, frame and gain", "[ti_conf
           1e-12);
     CHECK((radar.tx(1).position_m - radar.tx(0).position_m - Vector3(2.5e-3, 0, 0)).norm() < 1e-12);
     // Less power, less leakage.
-    CHECK(radar.leakage.front().level_dbm == Approx(read_radar(board).leakage.front().level_dbm - 4));
+    CHECK(radar.leakage.front().level_dbm ==
+          Approx(read_radar(board).leakage.front().level_dbm - 4));
 }
 
 TEST_CASE("the bins of TI's own configurations come out as published", "[ti_config]") {
@@ -72,11 +73,10 @@ TEST_CASE("the bins of TI's own configurations come out as published", "[ti_conf
         double bin_cm;
         double bin_of_45cm;
     };
-    for (const Known& known :
-         {Known{"20 0 0 128 1 30 0", "6 28 0 90 59.75", 6.51, 6.9},
-          Known{"8 0 0 256 4 23 2", "6 24 0 75 60.5", 9.76, 4.6},
-          Known{"8 0 0 256 4 24.3 3", "28 37 0 160 58", 4.58, 9.8},
-          Known{"25 0 0 256 1 70 0", "6 4 0 100 57", 2.34, 19.2}}) {
+    for (const Known& known : {Known{"20 0 0 128 1 30 0", "6 28 0 90 59.75", 6.51, 6.9},
+                               Known{"8 0 0 256 4 23 2", "6 24 0 75 60.5", 9.76, 4.6},
+                               Known{"8 0 0 256 4 24.3 3", "28 37 0 160 58", 4.58, 9.8},
+                               Known{"25 0 0 256 1 70 0", "6 4 0 100 57", 2.34, 19.2}}) {
         INFO(known.common << " / " << known.timing);
         const Radar radar = read(edited(edited(demo, "20 0 0 128 1 33 0", known.common),
                                         "6 28 0 150 57.5", known.timing));
@@ -123,14 +123,16 @@ TEST_CASE("unknown commands and other numbers of arguments warn, with their line
 TEST_CASE("wrong types and impossible chirps are errors with the line", "[ti_config]") {
     CHECK(error_with("6 28 0 150 57.5", "6 28 0 fast 57.5") ==
           "my.cfg:5: chirpTimingCfg argument 4 = fast: is not a number; give a number");
-    CHECK(error_with("6 28 0 150 57.5", "6 28.5 0 150 57.5") ==
-          "my.cfg:5: chirpTimingCfg chirpAdcSkipSamples = 28.5: is not a whole number; give a whole "
-          "number");
-    CHECK(error_with("6 28 0 150 57.5", "6 28 0 150 60") ==
-          "my.cfg:5: chirpTimingCfg chirpRfFreqStart = 60: the ramp runs from 60 to 64.95 GHz, and "
-          "the IWRL6432 has 57 to 64 GHz; move the start, lessen the slope or end the ramp earlier");
-    CHECK(error_with("20 0 0 128 1 33 0", "7 0 0 128 1 33 0").find(
-              "chirpComnCfg digOutputSampRate = 7: the IWRL6432 samples at 1 to 12.5 MHz") !=
+    CHECK(
+        error_with("6 28 0 150 57.5", "6 28.5 0 150 57.5") ==
+        "my.cfg:5: chirpTimingCfg chirpAdcSkipSamples = 28.5: is not a whole number; give a whole "
+        "number");
+    CHECK(
+        error_with("6 28 0 150 57.5", "6 28 0 150 60") ==
+        "my.cfg:5: chirpTimingCfg chirpRfFreqStart = 60: the ramp runs from 60 to 64.95 GHz, and "
+        "the IWRL6432 has 57 to 64 GHz; move the start, lessen the slope or end the ramp earlier");
+    CHECK(error_with("20 0 0 128 1 33 0", "7 0 0 128 1 33 0")
+              .find("chirpComnCfg digOutputSampRate = 7: the IWRL6432 samples at 1 to 12.5 MHz") !=
           std::string::npos);
     CHECK(error_with("20 0 0 128 1 33 0", "20 0 0 100 1 33 0").find("is no power of two") !=
           std::string::npos);
@@ -170,8 +172,8 @@ TEST_CASE("the configurations of the public recordings read", "[ti_config][captu
         const Radar radar = read_ti_config(
             std::filesystem::path(folder) / "iwrl6432_adc" / (std::string(name) + ".cfg"), board);
         CHECK(radar.rx.size() == 3);
-        CHECK(radar.chirp.bin_m() == Approx(std::string(name) == "iwrl6432_2" ? 0.02342 : 0.0651)
-                                         .epsilon(1e-3));
+        CHECK(radar.chirp.bin_m() ==
+              Approx(std::string(name) == "iwrl6432_2" ? 0.02342 : 0.0651).epsilon(1e-3));
     }
 }
 

@@ -5,7 +5,8 @@
 #include "tests/sim/deviation.hpp"
 #include "tests/sim/spectrum.hpp"
 
-// The corner reflector of scenes/examples, from its STL file to ADC codes, against the radar equation.
+// The corner reflector of scenes/examples, from its STL file to ADC codes, against the radar
+// equation.
 
 namespace specula {
 namespace {

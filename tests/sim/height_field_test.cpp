@@ -62,8 +62,7 @@ TEST_CASE("height fields echo as the statistics of their heights foretell", "[sp
           2.5 * std::sqrt(mean.diffuse_power[0] / n));
 }
 
-TEST_CASE("a height field belongs to its piece, and none is too large to be refused",
-          "[speckle]") {
+TEST_CASE("a height field belongs to its piece, and none is too large to be refused", "[speckle]") {
     Scene scene;
     scene.sample.face = {.size_x_m = 0.02, .size_y_m = 0.02};
     scene.sample.roughness_m = 1e-4;

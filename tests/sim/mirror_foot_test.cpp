@@ -47,8 +47,12 @@ TEST_CASE("a tilted sample moves the foot by height x sin, a tilted sensor does 
 }
 
 TEST_CASE("the foot lies where the normal meets the radar, whatever the pivot", "[foot]") {
-    Pose pose{.height_m = 450.0_mm, .sample = {3.0_deg, -8.0_deg}, .pivot_m = {0.05, -0.1, -0.02},
-              .offset_x_m = 0.03, .offset_y_m = -0.01, .yaw_rad = 20.0_deg};
+    Pose pose{.height_m = 450.0_mm,
+              .sample = {3.0_deg, -8.0_deg},
+              .pivot_m = {0.05, -0.1, -0.02},
+              .offset_x_m = 0.03,
+              .offset_y_m = -0.01,
+              .yaw_rad = 20.0_deg};
     const MirrorFoot foot = mirror_foot(pose, {}, usual_hz);
     const Placement sample = sample_placement(pose);
     const Vector3 point_m = sample.point({foot.x_m, foot.y_m, 0.0});

@@ -23,7 +23,8 @@ struct Room {
         const Placement low{.shift_m = {0.0, 0.0, 0.0}}, high{.shift_m = {0.0, 0.0, 0.1}};
         const Placement wall{Eigen::AngleAxisd(0.5 * pi, Vector3::UnitY()).toRotationMatrix(),
                              {-0.25, 0.0, 0.2}};
-        const Plate plate{.size_x_m = 0.1, .size_y_m = 0.1}, sheet{.size_x_m = 0.3, .size_y_m = 0.3};
+        const Plate plate{.size_x_m = 0.1, .size_y_m = 0.1},
+            sheet{.size_x_m = 0.3, .size_y_m = 0.3};
         const Mesh beside = triangulate({.size_x_m = 0.5, .size_y_m = 0.5}, moved(wall));
         return {plate_body(plate, moved(low), true, 0.0),
                 plate_body(sheet, moved(high), false, 0.005), mesh_body(beside, true, 0.0)};
@@ -50,12 +51,12 @@ TEST_CASE("a whole room may stand anywhere and be turned any way", "[invariants]
     Stream stream({.seed = 5, .purpose = "rooms"});
     const Complex before = Room{}.echo();
     for (int i = 0; i < 3; ++i) {
-        const Room room{.motion = {Eigen::AngleAxisd(3.0 * stream.uniform(),
-                                                     Vector3(stream.normal(), stream.normal(),
-                                                             stream.normal())
-                                                         .normalized())
-                                       .toRotationMatrix(),
-                                   {stream.normal(), stream.normal(), stream.normal()}}};
+        const Room room{
+            .motion = {Eigen::AngleAxisd(
+                           3.0 * stream.uniform(),
+                           Vector3(stream.normal(), stream.normal(), stream.normal()).normalized())
+                           .toRotationMatrix(),
+                       {stream.normal(), stream.normal(), stream.normal()}}};
         CHECK(std::abs(room.echo() - before) < 1e-6 * std::abs(before));
     }
 }
@@ -95,8 +96,8 @@ TEST_CASE("half a wavelength higher, a wide plate answers in the same phase", "[
 }
 
 TEST_CASE("with nothing in the room nothing comes back", "[invariants]") {
-    const Scatter scatter = trace(Target({}), Room{}.antennas(),
-                                  {.highest_hz = frequency_hz, .edge_currents = true});
+    const Scatter scatter =
+        trace(Target({}), Room{}.antennas(), {.highest_hz = frequency_hz, .edge_currents = true});
     const Channel channel = channel_of(scatter, {}, {57e9, 1e8, 16});
     REQUIRE(channel.h.size() == 16);
     for (const Complex& h : channel.h) CHECK(h == 0.0);
@@ -116,12 +117,12 @@ TEST_CASE("a metal plate in front takes the echo of what lies behind it, edges a
     scene.plate = {.size_x_m = 0.1, .size_y_m = 0.1};
     const Mesh front =
         triangulate({.size_x_m = 0.4, .size_y_m = 0.4}, {.shift_m = {0.0, 0.0, 0.2}});
-    const TraceSettings settings{.highest_hz = frequency_hz, .max_bounces = 1,
-                                 .edge_currents = true};
+    const TraceSettings settings{
+        .highest_hz = frequency_hz, .max_bounces = 1, .edge_currents = true};
     const std::vector<Reflector> both{perfect_conductor(), perfect_conductor()};
-    const Complex alone = direct_sum(
-        trace(Target({mesh_body(front, true, 0.0)}), scene.antennas(), settings), 0, both,
-        frequency_hz);
+    const Complex alone =
+        direct_sum(trace(Target({mesh_body(front, true, 0.0)}), scene.antennas(), settings), 0,
+                   both, frequency_hz);
     const Complex behind =
         direct_sum(trace(scene.target({front}), scene.antennas(), settings), 0, both, frequency_hz);
     const Complex open =
@@ -134,7 +135,8 @@ TEST_CASE("one trace serves any material as well as a trace of its own", "[invar
     const Room room;
     const Scatter shared = room.scatter();
     const FrequencyComb comb{58e9, 5e8, 5};
-    for (const Complex permittivity : {Complex(2.6, -0.026), Complex(6.3, -0.26), Complex(1.5, 0.0)}) {
+    for (const Complex permittivity :
+         {Complex(2.6, -0.026), Complex(6.3, -0.26), Complex(1.5, 0.0)}) {
         std::vector<Reflector> reflectors = Room::reflectors();
         reflectors[1] = slab(permittivity, 0.004);
         const Channel reused = channel_of(shared, reflectors, comb);

@@ -80,7 +80,8 @@ TEST_CASE("a table seen through a sheet of foam echoes with the sheet's transmis
     bare.pose.height_m += 0.025;
     const FrequencyComb comb = comb_of(apart.radar.chirp);
     const double f_hz = comb.at(comb.n / 2);
-    const Transmission through = stack_transmission(reflector_of(apart.sample, library())(f_hz), 1.0);
+    const Transmission through =
+        stack_transmission(reflector_of(apart.sample, library())(f_hz), 1.0);
     const Complex instead_of_air =
         through.te * std::polar(1.0, two_pi * f_hz / speed_of_light_m_s * apart.sample.thickness_m);
     const Deviation off = deviation(echo(apart), echo(bare) * instead_of_air * instead_of_air);

@@ -35,8 +35,8 @@ SmallBench quick_bench() {
 
 bool same_piece(const Truth& a, const Truth& b) {
     return a.thickness_m == b.thickness_m && a.bow_m == b.bow_m && a.roughness_m == b.roughness_m &&
-           a.correlation_m == b.correlation_m &&
-           a.permittivity_factor == b.permittivity_factor && a.loss_factor == b.loss_factor;
+           a.correlation_m == b.correlation_m && a.permittivity_factor == b.permittivity_factor &&
+           a.loss_factor == b.loss_factor;
 }
 
 TEST_CASE("a known sample is the same piece in every session and condition of its world", "[sim]") {

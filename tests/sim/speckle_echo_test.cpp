@@ -101,11 +101,9 @@ TEST_CASE("faces too smooth for the accuracy asked for are left out, buried ones
     };
     CHECK(found(0.1).empty());
     CHECK(found(1e-5).size() == 1);
-    sample.layers = {{.material = "plexiglass", .thickness_m = 0.003},
-                     {.material = "limestone",
-                      .thickness_m = 0.02,
-                      .roughness_m = 2e-4,
-                      .correlation_m = 4e-3}};
+    sample.layers = {
+        {.material = "plexiglass", .thickness_m = 0.003},
+        {.material = "limestone", .thickness_m = 0.02, .roughness_m = 2e-4, .correlation_m = 4e-3}};
     REQUIRE(found(0.1).size() == 1);
     CHECK(found(0.1)[0].face == 1);
     CHECK(found(0.1)[0].correlation_m == 4e-3);
@@ -113,8 +111,8 @@ TEST_CASE("faces too smooth for the accuracy asked for are left out, buried ones
 
 TEST_CASE("heights that break the theory are named", "[speckle]") {
     const FrequencyBand band{58e9, 62e9};
-    CHECK(roughness_warnings(stone(2.5e-5, 1e-3).sample, band).empty());   // small
-    CHECK(roughness_warnings(stone(3e-4, 5e-3).sample, band).empty());     // long
+    CHECK(roughness_warnings(stone(2.5e-5, 1e-3).sample, band).empty());  // small
+    CHECK(roughness_warnings(stone(3e-4, 5e-3).sample, band).empty());    // long
     CHECK(roughness_warnings(stone(3e-4, 1e-3).sample, band).at(0).find("slope") !=
           std::string::npos);
     CHECK(roughness_warnings(stone(2e-4, 1.5e-3).sample, band).at(0).find("half a wavelength") !=

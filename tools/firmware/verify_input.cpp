@@ -92,8 +92,9 @@ Model train_on(const Dataset& frames, const Measurement& measurement, VerifyInpu
 }
 
 Dataset load_frames(const VerifyRequest& request) {
-    return request.dataset.extension() == ".h5" ? read_dataset(request.dataset)
-                                                : import_recording("injection", request.dataset, {}).dataset;
+    return request.dataset.extension() == ".h5"
+               ? read_dataset(request.dataset)
+               : import_recording("injection", request.dataset, {}).dataset;
 }
 
 void check_fit(const VerifyInput& input, const VerifyRequest& request) {

@@ -18,16 +18,14 @@ constexpr int quiet_width = 7;  // bins
 /// The quietest stretch of bins between the leakage and the end of the filter's pass band.
 int quietest_bin(const std::vector<double>& noise_lsb, const Radar& radar, double reach_m) {
     const int first = static_cast<int>(std::ceil(radar.chirp.bin_of(reach_m))) + 2;
-    const int end =
-        std::max(first + quiet_width + 1,
-                 static_cast<int>(radar.chirp.pass_band * radar.chirp.n_samples));
+    const int end = std::max(first + quiet_width + 1,
+                             static_cast<int>(radar.chirp.pass_band * radar.chirp.n_samples));
     double least = INFINITY;
     int best = first;
-    for (int bin = first; bin + quiet_width <= std::min<int>(end, static_cast<int>(noise_lsb.size()));
-         ++bin) {
+    for (int bin = first;
+         bin + quiet_width <= std::min<int>(end, static_cast<int>(noise_lsb.size())); ++bin) {
         double sum = 0.0;
-        for (int k = 0; k < quiet_width; ++k)
-            sum += noise_lsb[static_cast<std::size_t>(bin + k)];
+        for (int k = 0; k < quiet_width; ++k) sum += noise_lsb[static_cast<std::size_t>(bin + k)];
         if (sum < 0.97 * least) least = sum, best = bin;
     }
     return best;
@@ -81,9 +79,9 @@ void set_noise(Radar& radar, const std::vector<NoiseFit>& noise) {
     }
     const double stated_lsb = ReceiverChain(radar).noise_lsb();
     if (before > 0.0)
-        radar.receiver.noise_figure_db = std::max(
-            0.0, radar.receiver.noise_figure_db + 10.0 * std::log10(before) -
-                     20.0 * std::log10(stated_lsb));
+        radar.receiver.noise_figure_db =
+            std::max(0.0, radar.receiver.noise_figure_db + 10.0 * std::log10(before) -
+                              20.0 * std::log10(stated_lsb));
     else
         radar.receiver.noise_figure_db = 0.0;
     radar.receiver.adc_noise_lsb = std::sqrt(behind);
@@ -92,20 +90,21 @@ void set_noise(Radar& radar, const std::vector<NoiseFit>& noise) {
 void check_fits(const ChirpSeries& series, const Radar& radar) {
     if (series.n_rx != static_cast<int>(radar.rx.size()) ||
         series.n_samples != radar.chirp.n_samples)
-        throw InputError(format("the recording has {} RX and {} samples, radar {} has {} and {}; "
-                                "name the radar that it was made with",
-                                series.n_rx, series.n_samples, radar.name, radar.rx.size(),
-                                radar.chirp.n_samples));
+        throw InputError(format(
+            "the recording has {} RX and {} samples, radar {} has {} and {}; "
+            "name the radar that it was made with",
+            series.n_rx, series.n_samples, radar.name, radar.rx.size(), radar.chirp.n_samples));
     if (radar.receiver.complex_samples)
-        throw InputError(format("radar {} gives I and Q; calibration takes real samples only",
-                                radar.name));
+        throw InputError(
+            format("radar {} gives I and Q; calibration takes real samples only", radar.name));
     if (radar.n_tx() > 1)
         throw InputError(format("radar {} has {} TX; calibrate with a recording of one", radar.name,
                                 radar.n_tx()));
     if (series.n_chirps() < 3)
-        throw InputError(format("the recording has {} chirps; record three or more, so that noise "
-                                "shows as their difference",
-                                series.n_chirps()));
+        throw InputError(
+            format("the recording has {} chirps; record three or more, so that noise "
+                   "shows as their difference",
+                   series.n_chirps()));
 }
 
 Leakage leakage_of(const FittedTone& tone, int rx, const Radar& radar) {

@@ -18,10 +18,10 @@ struct NoiseFit {
 
 /// A board as a recording shows it.
 struct Calibration {
-    Radar radar;                          ///< the given one with the fitted values in it
-    std::vector<FittedChannel> channels;  ///< (rx): leakage among the tones, near ones only
+    Radar radar;                                ///< the given one with the fitted values in it
+    std::vector<FittedChannel> channels;        ///< (rx): leakage among the tones, near ones only
     std::vector<std::vector<FittedTone>> room;  ///< (rx): what stands farther away
-    std::vector<NoiseFit> noise;          ///< (rx)
+    std::vector<NoiseFit> noise;                ///< (rx)
     std::size_t n_chirps = 0;
     bool knows_gain = false;  ///< whether a known scene was there to tell
 };
@@ -35,11 +35,12 @@ struct CalibrationSettings {
 /// Estimates noise, DC offset, start-up pulse, leakage and, by a known scene, gain.
 ///
 /// The mean chirp is taken apart into offset, pulse, the known echo and tones, near ones being
-/// leakage and far ones the room. Noise is what differs between chirps in a row; where the recording
-/// moves, only bins that do not are used. The noise figure is kept where the ADC's own noise can
-/// explain the rest, and lowered where the recording is quieter than it says.
+/// leakage and far ones the room. Noise is what differs between chirps in a row; where the
+/// recording moves, only bins that do not are used. The noise figure is kept where the ADC's own
+/// noise can explain the rest, and lowered where the recording is quieter than it says.
 /// @in  echo  of the known scene per unit of transmitted amplitude; none: empty scene, gain is kept
-/// `done` counts RX. Throws InputError where the recording does not fit the radar or has fewer than three chirps.
+/// `done` counts RX. Throws InputError where the recording does not fit the radar or has fewer than
+/// three chirps.
 Calibration calibrate(const ChirpSeries& series, const Radar& radar, const BeatSignal* echo,
                       const CalibrationSettings& settings = {},
                       std::atomic<std::size_t>* done = nullptr);

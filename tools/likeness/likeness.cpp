@@ -14,7 +14,8 @@ namespace {
 constexpr std::size_t most_chirps = 512;
 
 constexpr const char* noise_reason =
-    "One noise figure serves all RX, and the recording's noise is not white: it falls towards bin 0 and "
+    "One noise figure serves all RX, and the recording's noise is not white: it falls towards bin "
+    "0 and "
     "beyond the pass band.";
 constexpr const char* moving_reason =
     "The recorded scene moves, so that echoes beyond the board spread and fade; the simulated room "
@@ -25,7 +26,8 @@ constexpr const char* start_reason =
 constexpr const char* histogram_reason =
     "A percentile near zero: 20 % of it are a few LSB of codes that span hundreds.";
 constexpr const char* leakage_reason =
-    "Few tones per RX stand for all coupling of board and package; bins that hold little of it keep "
+    "Few tones per RX stand for all coupling of board and package; bins that hold little of it "
+    "keep "
     "what the tones leave, and the room's own near end.";
 
 /// What the board alone gives, without noise and rounding.
@@ -86,9 +88,8 @@ ChirpSeries simulated_like(const ChirpSeries& first_half, const Radar& given, st
     for (std::size_t i = 0; i < n_chirps; ++i) {
         FrameState state;
         state.draw = {.seed = seed, .purpose = "likeness", .item = static_cast<std::uint32_t>(i)};
-        Stream noise({.seed = seed,
-                      .purpose = "thermal noise",
-                      .item = static_cast<std::uint32_t>(i)});
+        Stream noise(
+            {.seed = seed, .purpose = "thermal noise", .item = static_cast<std::uint32_t>(i)});
         const AdcFrame frame = chain.receive(input, state, noise);
         series.codes.insert(series.codes.end(), frame.codes.begin(), frame.codes.end());
     }
@@ -173,8 +174,9 @@ void add_rows(RowWriter& writer, const Radar& radar) {
                    });
     const std::size_t bands[][2] = {{7, 15}, {15, 31}, {31, 61}, {61, last}};
     for (const auto& [first, end] : bands)
-        writer.add(format("spectrum, bins {} to {}", first, end - 1), "LSB", moving_reason,
-                   [&](const Portrait& p) { return root_mean_square(p.mean_spectrum, first, end); });
+        writer.add(
+            format("spectrum, bins {} to {}", first, end - 1), "LSB", moving_reason,
+            [&](const Portrait& p) { return root_mean_square(p.mean_spectrum, first, end); });
 }
 
 std::vector<double> in_db(const std::vector<double>& amplitudes) {
@@ -188,8 +190,8 @@ std::vector<double> shares(const std::vector<double>& codes, const LikenessCurve
     std::vector<double> histogram(n_steps);
     for (const double code : codes) {
         const double step = (code - axis.histogram_begin_lsb) / axis.histogram_step_lsb;
-        const auto at = static_cast<std::size_t>(
-            std::clamp(step, 0.0, static_cast<double>(n_steps - 1)));
+        const auto at =
+            static_cast<std::size_t>(std::clamp(step, 0.0, static_cast<double>(n_steps - 1)));
         histogram[at] += 1.0 / static_cast<double>(codes.size());
     }
     return histogram;

@@ -64,10 +64,8 @@ std::string panel_script(const Canvas& canvas, const LikenessCurves& curves, std
                          std::size_t panel) {
     const double left = left_px + static_cast<double>(panel) * column_px;
     const double top = head_px + static_cast<double>(rx) * row_px;
-    const PixelBox box{.left = left,
-                       .top = top,
-                       .right = left + panel_width_px,
-                       .bottom = top + panel_height_px};
+    const PixelBox box{
+        .left = left, .top = top, .right = left + panel_width_px, .bottom = top + panel_height_px};
     const Panel& what = panels[panel];
     const auto label = [&](const std::string& text, double x_px, double y_px, bool upwards) {
         return canvas.label({.text = text,
@@ -85,9 +83,10 @@ std::string panel_script(const Canvas& canvas, const LikenessCurves& curves, std
                          .x_px = box.left + 6.0,
                          .y_px = box.top - 8.0,
                          .bold = true}) +
-           format("plot $p{0}_{1} using 1:2 with lines linewidth 1.8 linecolor rgb '{2}', "
-                  "'' using 1:3 with lines linewidth 1.4 dashtype (6,3) linecolor rgb '{3}'\n",
-                  rx, panel, series_colour(0), series_colour(2));
+           format(
+               "plot $p{0}_{1} using 1:2 with lines linewidth 1.8 linecolor rgb '{2}', "
+               "'' using 1:3 with lines linewidth 1.4 dashtype (6,3) linecolor rgb '{3}'\n",
+               rx, panel, series_colour(0), series_colour(2));
 }
 
 std::string csv(const Likeness& likeness) {
@@ -118,10 +117,14 @@ Figure likeness_figure(const Likeness& likeness, const std::string& title) {
                          .right = canvas.width_px,
                          .bottom = canvas.height_px};
     const auto key = legend_row(canvas, left_px + 620.0, 22.0,
-                                {{.label = "recorded", .colour = series_colour(0),
-                                  .marker = Marker::line_point, .point_size = 0.0},
-                                 {.label = "simulated (dashed)", .colour = series_colour(2),
-                                  .marker = Marker::line_point, .point_size = 0.0}});
+                                {{.label = "recorded",
+                                  .colour = series_colour(0),
+                                  .marker = Marker::line_point,
+                                  .point_size = 0.0},
+                                 {.label = "simulated (dashed)",
+                                  .colour = series_colour(2),
+                                  .marker = Marker::line_point,
+                                  .point_size = 0.0}});
     script += "set multiplot\n";
     for (std::size_t rx = 0; rx < likeness.curves.size(); ++rx)
         for (std::size_t panel = 0; panel < std::size(panels); ++panel) {
@@ -137,8 +140,9 @@ Figure likeness_figure(const Likeness& likeness, const std::string& title) {
     script += "unset multiplot\n";
     return {.name = "likeness",
             .title = title,
-            .description = "Recorded and simulated chirps side by side, a row for each receiver: "
-                           "mean chirp, amplitude spectrum, noise per bin and histogram of codes.",
+            .description =
+                "Recorded and simulated chirps side by side, a row for each receiver: "
+                "mean chirp, amplitude spectrum, noise per bin and histogram of codes.",
             .script = script,
             .csv = csv(likeness),
             .width_in = canvas.width_in(),

@@ -25,8 +25,9 @@ std::string table_text(const std::string& description, const std::string& name) 
     std::string text;
     bool inside = false;
     for (std::string line; std::getline(lines, line);) {
-        const bool is_heading = line.size() > 1 && line[0] == '[' &&
-                                (line[1] == '[' || std::isalpha(static_cast<unsigned char>(line[1])));
+        const bool is_heading =
+            line.size() > 1 && line[0] == '[' &&
+            (line[1] == '[' || std::isalpha(static_cast<unsigned char>(line[1])));
         if (is_heading) inside = line.rfind("[" + name + "]", 0) == 0;
         const bool is_remark_of_next = inside && !line.empty() && line[0] == '#';
         if (inside && !is_remark_of_next) text += line + "\n";
@@ -45,8 +46,8 @@ std::string key_text(const char* key, double value) {
 
 std::string chirp_text(const Radar& radar) {
     const Chirp& chirp = radar.chirp;
-    return format("[chirp]\nstart_ghz = {:.12g}\nslope_mhz_per_us = {:.12g}\n", chirp.start_hz * 1e-9,
-                  chirp.slope_hz_s * 1e-12) +
+    return format("[chirp]\nstart_ghz = {:.12g}\nslope_mhz_per_us = {:.12g}\n",
+                  chirp.start_hz * 1e-9, chirp.slope_hz_s * 1e-12) +
            format("sample_rate_mhz = {:.12g}\nn_samples = {}\nskip_samples = {}\n",
                   chirp.sample_rate_hz * 1e-6, chirp.n_samples, chirp.skip_samples) +
            format("filter_latency_samples = {}\nramp_end_us = {:.9g}\n",
@@ -77,8 +78,8 @@ std::string receiver_text(const Receiver& receiver) {
 
 std::string radar_file_text(const Radar& radar, const std::string& provenance) {
     const double deg = 180.0 / pi;
-    std::string text = format("title  = {}\nsource = {}\n\n", in_quotes(radar.title + ", calibrated"),
-                              in_quotes(provenance));
+    std::string text = format("title  = {}\nsource = {}\n\n",
+                              in_quotes(radar.title + ", calibrated"), in_quotes(provenance));
     text += chirp_text(radar);
     text += format("[transmitter]\npower_dbm = {:.6g}\n", radar.tx_power_dbm) +
             position_text(radar.tx_position_m) + "\n";

@@ -52,7 +52,8 @@ const std::int16_t* ChirpSeries::chirp(std::size_t i, int rx) const {
 
 ChirpSeries ChirpSeries::part(std::size_t first, std::size_t last) const {
     const auto step = static_cast<std::ptrdiff_t>(n_rx * n_samples);
-    return {n_rx, n_samples,
+    return {n_rx,
+            n_samples,
             {codes.begin() + static_cast<std::ptrdiff_t>(first) * step,
              codes.begin() + static_cast<std::ptrdiff_t>(last) * step}};
 }

@@ -47,8 +47,8 @@ std::vector<Complex> ChirpFit::beat_of(const FittedTone& tone) const {
     std::vector<Complex> beat;
     for (int i = 0; i < comb.n; ++i) {
         const double turns = comb.at(i) / speed_of_light_m_s * 2.0 * tone.range_m;
-        beat.push_back(std::polar(tone.amplitude_lsb,
-                                  two_pi * (turns - std::floor(turns)) - tone.phase_rad));
+        beat.push_back(
+            std::polar(tone.amplitude_lsb, two_pi * (turns - std::floor(turns)) - tone.phase_rad));
     }
     return beat;
 }
@@ -93,8 +93,7 @@ Columns ChirpFit::with_tones(Columns columns, const std::vector<double>& ranges_
     return columns;
 }
 
-std::vector<double> ChirpFit::find_ranges(const Columns& base,
-                                          const std::vector<double>& observed,
+std::vector<double> ChirpFit::find_ranges(const Columns& base, const std::vector<double>& observed,
                                           const ToneSearch& search) const {
     const double step_m = grid_bins * radar_.chirp.bin_m();
     const double nearest_m = std::max(search.nearest_m, nearest_bins * radar_.chirp.bin_m());
@@ -105,8 +104,8 @@ std::vector<double> ChirpFit::find_ranges(const Columns& base,
         return nearest_m + static_cast<double>(i) * step_m;
     };
     // The largest of many chance peaks of noise: 2 ln n times its variance, per pair of columns.
-    const double chance = search.noise_lsb * search.noise_lsb *
-                          4.0 * std::log(static_cast<double>(observed.size()));
+    const double chance =
+        search.noise_lsb * search.noise_lsb * 4.0 * std::log(static_cast<double>(observed.size()));
     const double least_gain = std::max(chance, search.least_share * energy(observed));
     std::vector<double> ranges_m;
     while (static_cast<int>(ranges_m.size()) < search.most_tones) {
@@ -179,9 +178,8 @@ FittedChannel ChirpFit::fit(const std::vector<double>& chirp, const ToneSearch& 
     }
     for (std::size_t i = 0; i < ranges_m.size(); ++i, next += 2) {
         const Complex wave(found[next], found[next + 1]);
-        channel.tones.push_back({.range_m = ranges_m[i],
-                                 .amplitude_lsb = std::abs(wave),
-                                 .phase_rad = std::arg(wave)});
+        channel.tones.push_back(
+            {.range_m = ranges_m[i], .amplitude_lsb = std::abs(wave), .phase_rad = std::arg(wave)});
     }
     channel.residual_lsb = std::sqrt(energy(unexplained(columns, found, observed)) /
                                      static_cast<double>(observed.size()));
@@ -194,8 +192,7 @@ double start_up_fraction(const Radar& radar, const std::vector<std::vector<doubl
     const int latency = radar.chirp.filter_latency_samples;
     double least = INFINITY, best = radar.receiver.start_up_fraction;
     for (double fraction = -0.45; fraction < 0.455; fraction += 0.005) {
-        const auto ringing =
-            start_up_ringing({.latency_samples = latency, .fraction = fraction});
+        const auto ringing = start_up_ringing({.latency_samples = latency, .fraction = fraction});
         double misfit = 0.0;
         for (const auto& chirp : chirps) {
             std::vector<double> column, observed;

@@ -40,7 +40,8 @@ class ChirpFit {
     explicit ChirpFit(const Radar& radar);
 
     /// @in  chirp  (sample), LSB
-    /// @in  echo   beat of a known scene at this RX, (sample from the ramp's start), per LSB; or none
+    /// @in  echo   beat of a known scene at this RX, (sample from the ramp's start), per LSB; or
+    /// none
     FittedChannel fit(const std::vector<double>& chirp, const ToneSearch& search,
                       const std::vector<Complex>* echo = nullptr) const;
 

@@ -66,7 +66,8 @@ std::string script(const ConditionReport& condition, const std::vector<std::stri
     const std::string ticks = class_ticks(class_names);
     const double last = static_cast<double>(class_names.size()) - 0.5;
     return axes_style() + "unset grid\nset border 0\nset tics scale 0 textcolor rgb '#000000'\n" +
-           confusion_canvas.frame(confusion_area) + confusion_canvas.heading(confusion_area, condition.title, under_title(condition)) +
+           confusion_canvas.frame(confusion_area) +
+           confusion_canvas.heading(confusion_area, condition.title, under_title(condition)) +
            confusion_canvas.axis_titles(confusion_area, "predicted class", "true class") +
            data_block(cells_of(condition.confusion)) +
            format(

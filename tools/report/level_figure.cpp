@@ -119,7 +119,8 @@ std::string line(const std::string& name, const LevelCurve& curve, std::size_t s
     const auto interval = static_cast<std::size_t>(
         std::max(1.0, std::round(static_cast<double>(n) / marks_per_curve)));
     return format(
-        "${0} using 1:2 with lines linewidth 1.6 linecolor rgb '{1}', ${0} using 1:2 every {2}::{3} "
+        "${0} using 1:2 with lines linewidth 1.6 linecolor rgb '{1}', ${0} using 1:2 every "
+        "{2}::{3} "
         "with points pointtype {4} pointsize 0.6 linewidth 1.6 linecolor rgb '{1}'",
         name, series_colour(series), interval, interval * series / most_level_curves,
         series_point(series));
@@ -133,15 +134,16 @@ std::string panel_plot(const LevelPanels& content, std::size_t index,
     for (std::size_t i = 0; i < panel.beside.size(); ++i) {
         const std::string name = format("b{}_{}", index, i);
         blocks += block(name, panel.beside[i]);
-        lines += format("{}${} using 1:2 with lines linewidth 1.2 dashtype (6,4) linecolor rgb '{}'",
-                        separator(), name, soft_ink);
+        lines +=
+            format("{}${} using 1:2 with lines linewidth 1.2 dashtype (6,4) linecolor rgb '{}'",
+                   separator(), name, soft_ink);
     }
     for (std::size_t i = 0; i < panel.curves.size(); ++i) {
         const std::string name = format("p{}_{}", index, i);
         const auto series = std::find(labels.begin(), labels.end(), panel.curves[i].label);
         blocks += block(name, panel.curves[i]);
-        lines += separator() + line(name, panel.curves[i],
-                                    static_cast<std::size_t>(series - labels.begin()));
+        lines += separator() +
+                 line(name, panel.curves[i], static_cast<std::size_t>(series - labels.begin()));
     }
     return blocks + lines + "\n";
 }
@@ -149,13 +151,12 @@ std::string panel_plot(const LevelPanels& content, std::size_t index,
 std::string panel_frame(const LevelPanels& content, std::size_t index, const Layout& layout) {
     const Canvas canvas = layout.canvas();
     const PixelBox box = layout.box(index);
-    std::string text =
-        format("set format y '{}'\n", index % layout.n_columns == 0 ? "%g" : "") +
-        canvas.frame(box) +
-        canvas.label({.text = content.panels[index].title,
-                      .x_px = box.left,
-                      .y_px = box.top - 10.0,
-                      .bold = true});
+    std::string text = format("set format y '{}'\n", index % layout.n_columns == 0 ? "%g" : "") +
+                       canvas.frame(box) +
+                       canvas.label({.text = content.panels[index].title,
+                                     .x_px = box.left,
+                                     .y_px = box.top - 10.0,
+                                     .bold = true});
     if (layout.is_lowest(index))
         text += canvas.label({.text = content.x_title,
                               .x_px = 0.5 * (box.left + box.right),
@@ -170,18 +171,18 @@ std::string script(const LevelPanels& content, const std::vector<std::string>& l
     const Canvas canvas = layout.canvas();
     const PixelBox area{left_px, layout.top_px(), figure_px - right_px, canvas.height_px - 54.0};
     const Span x = span_of(content, &LevelCurve::x), level = level_span(content);
-    std::string text = axes_style() + format("set grid ytics xtics\nset xrange [{:.9g}:{:.9g}]\n"
-                                             "set yrange [{:.9g}:{:.9g}]\nset multiplot\n",
-                                             x.low, x.high, level.low, level.high);
-    const std::string once =
-        canvas.heading(area, content.title, content.second_line) +
-        legend_rows(labels, canvas).commands +
-        canvas.label({.text = content.level_title,
-                      .x_px = 10.0,
-                      .y_px = 0.5 * (area.top + area.bottom),
-                      .align = "center",
-                      .colour = soft_ink,
-                      .upwards = true});
+    std::string text = axes_style() + format(
+                                          "set grid ytics xtics\nset xrange [{:.9g}:{:.9g}]\n"
+                                          "set yrange [{:.9g}:{:.9g}]\nset multiplot\n",
+                                          x.low, x.high, level.low, level.high);
+    const std::string once = canvas.heading(area, content.title, content.second_line) +
+                             legend_rows(labels, canvas).commands +
+                             canvas.label({.text = content.level_title,
+                                           .x_px = 10.0,
+                                           .y_px = 0.5 * (area.top + area.bottom),
+                                           .align = "center",
+                                           .colour = soft_ink,
+                                           .upwards = true});
     for (std::size_t i = 0; i < content.panels.size(); ++i)
         text += "unset label\n" + std::string(i == 0 ? once : "unset object\nunset arrow\n") +
                 panel_frame(content, i, layout) + panel_plot(content, i, labels);
@@ -209,9 +210,9 @@ Figure level_figure(const std::string& name, const LevelPanels& content) {
     const Canvas canvas = layout_of(content, labels).canvas();
     return {.name = name,
             .title = content.title,
-            .description = format("{} against {}, {} curves in {} panels: {}.", content.level_title,
-                                  content.x_title, labels.size(), content.panels.size(),
-                                  content.second_line),
+            .description =
+                format("{} against {}, {} curves in {} panels: {}.", content.level_title,
+                       content.x_title, labels.size(), content.panels.size(), content.second_line),
             .script = script(content, labels),
             .csv = csv(content),
             .width_in = canvas.width_in(),

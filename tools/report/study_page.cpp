@@ -57,10 +57,10 @@ Paragraph radar_facts(const StudySummary& study) {
 
 /// What the results rest on that is not known to hold.
 std::vector<Paragraph> known_limits(const StudySummary& study) {
-    std::vector<Paragraph> paragraphs{
-        {.lead = {},
-         .text = "Here numbers are used outside the band that their sources give for them, or the theory "
-                 "at the edge of what full-wave solutions confirm."}};
+    std::vector<Paragraph> paragraphs{{.lead = {},
+                                       .text = "Here numbers are used outside the band that their "
+                                               "sources give for them, or the theory "
+                                               "at the edge of what full-wave solutions confirm."}};
     for (const std::string& warning : study.warnings)
         paragraphs.push_back({.lead = {}, .text = warning});
     return paragraphs;

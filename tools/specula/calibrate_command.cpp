@@ -57,14 +57,14 @@ void calibrate_command(const CalibrateArguments& arguments, const Catalogue& cat
     const ChirpSeries series = ChirpSeries::read(arguments.recording);
     const Radar radar = catalogue.radar_called(arguments.radar);
     const Calibration result = calibrated(arguments, catalogue, series, radar);
-    const fs::path out = arguments.out.empty() ? fs::path(radar.name + "_calibrated.toml")
-                                               : arguments.out;
-    const std::string provenance = format(
-        "specula {} calibrate: {} chirps of {}, {}; the rest as in radar {} ({})", program_version,
-        result.n_chirps, arguments.recording.filename().string(),
-        arguments.scene.empty() ? "taken for an empty scene"
-                                : "scene " + arguments.scene.filename().string(),
-        radar.name, radar.source);
+    const fs::path out =
+        arguments.out.empty() ? fs::path(radar.name + "_calibrated.toml") : arguments.out;
+    const std::string provenance =
+        format("specula {} calibrate: {} chirps of {}, {}; the rest as in radar {} ({})",
+               program_version, result.n_chirps, arguments.recording.filename().string(),
+               arguments.scene.empty() ? "taken for an empty scene"
+                                       : "scene " + arguments.scene.filename().string(),
+               radar.name, radar.source);
     write_file_atomically(out, radar_file_text(result.radar, provenance));
     print_calibration(result);
     std::printf("\nWrote %s; specula show %s\n", out.c_str(), out.c_str());

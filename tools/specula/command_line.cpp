@@ -100,10 +100,10 @@ ShowArguments with_words(ShowArguments arguments, const std::vector<std::string>
 }
 
 void add_validate(CLI::App& program, ValidateArguments& arguments) {
-    CLI::App* command =
-        add_command(program, "validate", "Compute reference cases and compare with what they expect",
-                    "specula validate --html validation.html\n"
-                    "  Exit status: 1 where a tolerance is missed, 3 where nothing computes a case.");
+    CLI::App* command = add_command(
+        program, "validate", "Compute reference cases and compare with what they expect",
+        "specula validate --html validation.html\n"
+        "  Exit status: 1 where a tolerance is missed, 3 where nothing computes a case.");
     command->add_option("DIR", arguments.folder,
                         "folder of case files, or one of them; default the program's own");
     command->add_option("--json", arguments.json, "write every quantity")->type_name("FILE");
@@ -113,10 +113,11 @@ void add_validate(CLI::App& program, ValidateArguments& arguments) {
 }
 
 void add_calibrate(CLI::App& program, CalibrateArguments& arguments) {
-    CLI::App* command = add_command(
-        program, "calibrate", "Estimate a board's noise, offsets, leakage and gain from a recording",
-        "specula calibrate empty_room.h5 --radar iwrl6432boost --out my_board.toml\n"
-        "  Levels come out in dBm at the RX port and in LSB of the ADC, ranges in mm.");
+    CLI::App* command =
+        add_command(program, "calibrate",
+                    "Estimate a board's noise, offsets, leakage and gain from a recording",
+                    "specula calibrate empty_room.h5 --radar iwrl6432boost --out my_board.toml\n"
+                    "  Levels come out in dBm at the RX port and in LSB of the ADC, ranges in mm.");
     command->add_option("RECORDING", arguments.recording, "dataset (.h5), simulated or imported")
         ->required();
     command
@@ -130,10 +131,10 @@ void add_calibrate(CLI::App& program, CalibrateArguments& arguments) {
 }
 
 void add_likeness(CLI::App& program, LikenessArguments& arguments) {
-    CLI::App* command = add_command(
-        program, "likeness", "Set a radar's simulated chirps beside recorded ones",
-        "specula likeness recording.h5 --radar my_board.toml --out /tmp/likeness\n"
-        "  Writes likeness.svg, .png, .csv and likeness_table.csv, in LSB of the ADC.");
+    CLI::App* command =
+        add_command(program, "likeness", "Set a radar's simulated chirps beside recorded ones",
+                    "specula likeness recording.h5 --radar my_board.toml --out /tmp/likeness\n"
+                    "  Writes likeness.svg, .png, .csv and likeness_table.csv, in LSB of the ADC.");
     command->add_option("RECORDING", arguments.recording, "dataset (.h5) of one radar")->required();
     command->add_option("--radar", arguments.radar, "a name, a .toml or a .cfg file")
         ->capture_default_str();

@@ -72,7 +72,8 @@ CLI::App* export_group(CLI::App& program) {
     const auto is_export = [](CLI::App* app) { return app->get_name() == "export"; };
     if (const auto found = program.get_subcommands(is_export); !found.empty()) return found[0];
     CLI::App* group = add_command(
-        program, "export", "Write a model or a dataset in the form that a chip, a sensor or another program takes",
+        program, "export",
+        "Write a model or a dataset in the form that a chip, a sensor or another program takes",
         "specula export model out/paper/models/world_000.json --blob model.rfwm\n"
         "  specula export injection out/paper/datasets/height.h5 -o adc.bin");
     group->require_subcommand(1);

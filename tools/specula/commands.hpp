@@ -72,7 +72,8 @@ struct ExportRecordingArguments {
     std::filesystem::path model;  ///< whose answers go along; empty: those recorded, if any
     std::string radar;            ///< whose frequencies are named; empty: the dataset's
 };
-void export_recording_command(const ExportRecordingArguments& arguments, const Catalogue& catalogue);
+void export_recording_command(const ExportRecordingArguments& arguments,
+                              const Catalogue& catalogue);
 
 /// How models are trained.
 struct Learning {

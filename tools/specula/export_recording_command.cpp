@@ -75,7 +75,8 @@ void warn_of_limits(const std::string& format_name, const Dataset& dataset) {
 
 }  // namespace
 
-void export_recording_command(const ExportRecordingArguments& arguments, const Catalogue& catalogue) {
+void export_recording_command(const ExportRecordingArguments& arguments,
+                              const Catalogue& catalogue) {
     Dataset dataset = read_dataset(arguments.input);
     try {
         if (!arguments.model.empty()) add_answers(arguments.model, dataset);

@@ -48,7 +48,8 @@ void add_latency(CLI::App& program, LatencyArguments& arguments) {
     arguments.experiment = "paper";
     arguments.out = "out/latency";
     CLI::App* command = add_command(
-        program, "latency", "Table and figure of accuracy against time on the chip, by network size",
+        program, "latency",
+        "Table and figure of accuracy against time on the chip, by network size",
         "specula latency paper --worlds 8 --threads 2 --out /tmp/latency\n"
         "  Trains 8 sizes in every world, quantises them, counts their instructions in QEMU. "
         "Writes\n"

@@ -21,10 +21,10 @@ void check_fits(const LikenessArguments& arguments, const ChirpSeries& series, c
     if (series.n_rx == static_cast<int>(radar.rx.size()) &&
         series.n_samples == radar.chirp.n_samples && radar.n_tx() == 1 && series.n_chirps() >= 8)
         return;
-    throw InputError(format("{}: has {} RX, {} samples and {} chirps; give the radar that it was made "
-                            "with (one TX) and 8 chirps or more",
-                            arguments.recording.string(), series.n_rx, series.n_samples,
-                            series.n_chirps()));
+    throw InputError(
+        format("{}: has {} RX, {} samples and {} chirps; give the radar that it was made "
+               "with (one TX) and 8 chirps or more",
+               arguments.recording.string(), series.n_rx, series.n_samples, series.n_chirps()));
 }
 
 Likeness compared(const ChirpSeries& series, const Radar& radar, std::uint64_t seed) {

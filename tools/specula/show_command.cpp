@@ -53,11 +53,12 @@ void show_foot(const Scene& scene) {
     const Chirp& chirp = scene.radar.chirp;
     const MirrorFoot foot = mirror_foot(scene.pose, scene.sample.face, chirp.centre_hz());
     const double margin = foot.margin(scene.sample.face);
-    std::printf("mirror's foot %.4g, %.4g mm from the centre of the face, Fresnel zone %.3g mm: %s\n",
-                foot.x_m * 1e3, foot.y_m * 1e3, foot.fresnel_radius_m * 1e3,
-                margin < -1.0  ? "it has left the sample"
-                : margin < 1.0 ? "the rim cuts it"
-                               : "well inside the sample");
+    std::printf(
+        "mirror's foot %.4g, %.4g mm from the centre of the face, Fresnel zone %.3g mm: %s\n",
+        foot.x_m * 1e3, foot.y_m * 1e3, foot.fresnel_radius_m * 1e3,
+        margin < -1.0  ? "it has left the sample"
+        : margin < 1.0 ? "the rim cuts it"
+                       : "well inside the sample");
     std::printf("  a sample of %.4g mm would just hold it; range %.5g mm, bin %.2f\n",
                 foot.critical_size_m * 1e3, foot.range_m * 1e3, chirp.bin_of(foot.range_m));
     if (foot.divergence_db != 0.0)
@@ -130,28 +131,30 @@ void show_experiment(const Experiment& experiment) {
 }
 
 void show_plan(const SweepPlan& plan) {
-    std::printf("%s\n\n%zu rows: %zu specimens x %zu sizes x %zu ways to tilt x %zu heights x %zu "
-                "tilts x %zu frequencies\n",
-                plan.title.c_str(), plan.n_rows(), plan.specimens.size(), plan.sizes_m.size(),
-                plan.tiltings.size(), plan.heights_m.size(), plan.tilts_rad.size(),
-                plan.n_frequencies());
+    std::printf(
+        "%s\n\n%zu rows: %zu specimens x %zu sizes x %zu ways to tilt x %zu heights x %zu "
+        "tilts x %zu frequencies\n",
+        plan.title.c_str(), plan.n_rows(), plan.specimens.size(), plan.sizes_m.size(),
+        plan.tiltings.size(), plan.heights_m.size(), plan.tilts_rad.size(), plan.n_frequencies());
     for (const Specimen& specimen : plan.specimens)
         std::printf("  %-28s %8.4g mm, roughness %.4g um rms\n", specimen.label.c_str(),
                     specimen.sample.thickness_m * 1e3, specimen.sample.roughness_m * 1e6);
 }
 
-/// Refuses a name that is of another kind than the one written before it, as in "material plexiglass".
+/// Refuses a name that is of another kind than the one written before it, as in "material
+/// plexiglass".
 void check_kind(const ShowArguments& arguments, const Catalogue& catalogue) {
-    const std::vector<std::string> known = arguments.kind == "material" ? catalogue.materials.names()
-                                           : arguments.kind == "radar"  ? catalogue.radar_names()
-                                           : arguments.kind == "sweep"  ? catalogue.sweep_names()
-                                                                : catalogue.experiment_names();
+    const std::vector<std::string> known =
+        arguments.kind == "material" ? catalogue.materials.names()
+        : arguments.kind == "radar"  ? catalogue.radar_names()
+        : arguments.kind == "sweep"  ? catalogue.sweep_names()
+                                     : catalogue.experiment_names();
     const bool is_file = !fs::path(arguments.what).extension().empty();
     if (is_file || std::find(known.begin(), known.end(), arguments.what) != known.end()) return;
     const std::string near = nearest_word(arguments.what, known);
-    throw InputError(format("\"{}\": no such {}; {}", arguments.what, arguments.kind,
-                            near.empty() ? "see specula list " + arguments.kind + "s"
-                                         : "did you mean " + near + "?"));
+    throw InputError(format(
+        "\"{}\": no such {}; {}", arguments.what, arguments.kind,
+        near.empty() ? "see specula list " + arguments.kind + "s" : "did you mean " + near + "?"));
 }
 
 }  // namespace

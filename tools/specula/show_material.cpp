@@ -90,8 +90,8 @@ void show_angles(const Material& material) {
     const Electrics medium = material.at(usual_hz);
     const Stack half{{}, HalfSpace{medium}, usual_hz};
     const Stack slab{{{.medium = medium, .thickness_m = 0.005}}, HalfSpace{}, usual_hz};
-    std::printf("\nat 60 GHz, over a mirror, dB\n%8s %14s %14s %14s %14s\n", "deg",
-                "half-space TE", "TM", "slab 5 mm TE", "TM");
+    std::printf("\nat 60 GHz, over a mirror, dB\n%8s %14s %14s %14s %14s\n", "deg", "half-space TE",
+                "TM", "slab 5 mm TE", "TM");
     for (const int incidence_deg : {0, 10, 20, 30, 45, 60, 75, 85}) {
         const double cosine = std::cos(incidence_deg * pi / 180.0);
         const Reflection a = stack_reflection(half, cosine), b = stack_reflection(slab, cosine);

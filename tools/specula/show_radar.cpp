@@ -22,13 +22,12 @@ void show_chirp(const Radar& radar) {
                 chirp.bandwidth_hz() * 1e-9, chirp.sample_rate_hz * 1e-6);
     std::printf("range bin          %.4g cm, farthest range %.4g m\n", chirp.bin_m() * 100.0,
                 chirp.max_range_m());
-    const std::string mimo =
-        radar.n_tx() == 1
-            ? ""
-            : format(" of {} TX by {}", radar.n_tx(),
-                     radar.multiplexing == Multiplexing::tdm ? "TDM" : "BPM");
-    std::printf("frame              %d chirps%s x %zu RX x %d %s samples\n",
-                radar.chirps_per_frame, mimo.c_str(), radar.rx.size(), chirp.n_samples,
+    const std::string mimo = radar.n_tx() == 1
+                                 ? ""
+                                 : format(" of {} TX by {}", radar.n_tx(),
+                                          radar.multiplexing == Multiplexing::tdm ? "TDM" : "BPM");
+    std::printf("frame              %d chirps%s x %zu RX x %d %s samples\n", radar.chirps_per_frame,
+                mimo.c_str(), radar.rx.size(), chirp.n_samples,
                 radar.receiver.complex_samples ? "complex" : "real");
     if (radar.chirps_per_frame > radar.n_tx()) {
         const double loop_s = radar.n_tx() * chirp.period_s();
@@ -38,9 +37,10 @@ void show_chirp(const Radar& radar) {
                     wavelength_m / (2.0 * chirp.period_s() * radar.chirps_per_frame));
     }
     if (chirp.settle_samples() < 0)
-        std::printf("start-up           %d samples before the ramp shows; the TX sends from %.4g us "
-                    "on\n",
-                    -chirp.settle_samples(), chirp.tx_on_s * 1e6);
+        std::printf(
+            "start-up           %d samples before the ramp shows; the TX sends from %.4g us "
+            "on\n",
+            -chirp.settle_samples(), chirp.tx_on_s * 1e6);
     if (!radar.limits.chip.empty())
         std::printf("limits             within those of %s\n", radar.limits.chip.c_str());
 }
@@ -48,11 +48,12 @@ void show_chirp(const Radar& radar) {
 void show_budget(const Radar& radar, double height_m) {
     const LinkBudget mirror = mirror_budget(radar, height_m);
     const Receiver& receiver = radar.receiver;
-    std::printf("\nan infinite mirror at %.4g mm falls into bin %.2f, beat %.4g kHz, where the IF "
-                "high-pass\n(%.4g kHz) takes %.2f dB; powers in dBm, noise over half the sample "
-                "rate:\n",
-                height_m * 1e3, radar.chirp.bin_of(height_m), mirror.beat_hz * 1e-3,
-                receiver.high_pass_hz * 1e-3, -mirror.high_pass_db);
+    std::printf(
+        "\nan infinite mirror at %.4g mm falls into bin %.2f, beat %.4g kHz, where the IF "
+        "high-pass\n(%.4g kHz) takes %.2f dB; powers in dBm, noise over half the sample "
+        "rate:\n",
+        height_m * 1e3, radar.chirp.bin_of(height_m), mirror.beat_hz * 1e-3,
+        receiver.high_pass_hz * 1e-3, -mirror.high_pass_db);
     std::printf("  %-22s %9s %9s\n", "", "echo", "noise");
     for (const BudgetStage& stage : budget_stages(radar, height_m))
         std::printf("  %-22s %9.1f %9s\n", stage.name, stage.echo_dbm,
@@ -73,8 +74,8 @@ void show_budget(const Radar& radar, double height_m) {
 
 void show_leakage(const Radar& radar) {
     if (radar.leakage.empty()) return;
-    std::printf("\n  %-4s %-4s %9s %9s %9s %11s %9s\n", "RX", "TX", "range mm", "RX port",
-                "gain", "high-pass", "LSB");
+    std::printf("\n  %-4s %-4s %9s %9s %9s %11s %9s\n", "RX", "TX", "range mm", "RX port", "gain",
+                "high-pass", "LSB");
     for (const Leakage& leak : radar.leakage) {
         const double behind_db = radar.receiver.high_pass_db(radar.chirp.beat_hz(leak.range_m));
         std::printf("  %-4d %-4s %9.4g %9.1f %9.1f %11.1f %9.1f\n", leak.rx,

@@ -97,8 +97,9 @@ void with_progress(std::size_t n, const std::function<void(std::size_t)>& part) 
     const double rest_s = first.count() * static_cast<double>(n - 1) / threads;
     std::optional<Progress> progress;
     if (rest_s > long_s) ++progress.emplace("summing the echo", "frequencies", n).done();
-    for_each_index(n - 1, threads, [&](std::size_t i) { part(i + 1); },
-                   progress ? &progress->done() : nullptr);
+    for_each_index(
+        n - 1, threads, [&](std::size_t i) { part(i + 1); },
+        progress ? &progress->done() : nullptr);
 }
 
 }  // namespace

@@ -26,8 +26,8 @@ fs::path sweep_file(const std::string& wanted, const Catalogue& catalogue) {
     const auto names = catalogue.sweep_names();
     if (std::find(names.begin(), names.end(), wanted) == names.end()) {
         const std::string near = nearest_word(wanted, names);
-        throw InputError(format("\"{}\": no such sweep; {}use {} or a .toml file of a scene", wanted,
-                                near.empty() ? "" : "did you mean " + near + "? ",
+        throw InputError(format("\"{}\": no such sweep; {}use {} or a .toml file of a scene",
+                                wanted, near.empty() ? "" : "did you mean " + near + "? ",
                                 quoted_list(names)));
     }
     return catalogue.sweep_file(wanted);
@@ -37,8 +37,7 @@ fs::path sweep_file(const std::string& wanted, const Catalogue& catalogue) {
 void make_folder(const fs::path& out) {
     std::error_code error;
     fs::create_directories(out, error);
-    if (error)
-        throw SystemError(format("{}: cannot create: {}", out.string(), error.message()));
+    if (error) throw SystemError(format("{}: cannot create: {}", out.string(), error.message()));
 }
 
 /// The frequencies at which the sweep asks the materials.
@@ -78,8 +77,7 @@ void print_ranges(const Sweep& sweep) {
     const SweepPlan& plan = sweep.plan;
     std::printf("%-28s %-14s %-28s %22s %22s\n", "", "", "", "over a mirror, dB",
                 "over untilted, dB");
-    const std::size_t n_each =
-        plan.heights_m.size() * plan.tilts_rad.size() * plan.n_frequencies();
+    const std::size_t n_each = plan.heights_m.size() * plan.tilts_rad.size() * plan.n_frequencies();
     for (std::size_t first = 0; first < sweep.rows.size(); first += n_each) {
         if (first / n_each == most_lines) {
             std::printf("... and %zu more\n", sweep.rows.size() / n_each - most_lines);
@@ -107,8 +105,7 @@ void print_ranges(const Sweep& sweep) {
 void sweep_command(const SweepArguments& arguments, const Catalogue& catalogue) {
     const SweepPlan plan =
         read_sweep_plan(sweep_file(arguments.what, catalogue), arguments.axes, catalogue);
-    const fs::path out =
-        arguments.out.empty() ? fs::path("out/sweep") / plan.name : arguments.out;
+    const fs::path out = arguments.out.empty() ? fs::path("out/sweep") / plan.name : arguments.out;
     make_folder(out);
     warn(plan, catalogue.materials);
     Sweep sweep;
@@ -131,9 +128,10 @@ void sweep_command(const SweepArguments& arguments, const Catalogue& catalogue) 
     const auto n_weak = std::count_if(sweep.rows.begin(), sweep.rows.end(),
                                       [](const SweepRow& row) { return row.is_weak; });
     if (n_weak > 0)
-        say_warning(format("{} of {} levels (is_weak in the table) lie 15 dB or more below a wide "
-                           "sheet's; there optics may be off by 1.5 dB",
-                           n_weak, sweep.rows.size()));
+        say_warning(
+            format("{} of {} levels (is_weak in the table) lie 15 dB or more below a wide "
+                   "sheet's; there optics may be off by 1.5 dB",
+                   n_weak, sweep.rows.size()));
     for (const std::string& remark : drawn.remarks)
         std::printf("%s; the table has them all\n", remark.c_str());
     std::printf("\n%zu rows. Wrote %s in %s\n", sweep.rows.size(), written.c_str(), out.c_str());

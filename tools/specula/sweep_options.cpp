@@ -26,8 +26,7 @@ void add_axes(CLI::App& command, SweepAxes& axes) {
     command.add_option("--size", axes.size, "mm, edge of a square sample")
         ->type_name("MM|A:B:STEP");
     command.add_option("--thickness", axes.thickness, "mm")->type_name("MM|A:B:STEP");
-    command.add_option("--roughness", axes.roughness, "micrometres rms")
-        ->type_name("UM|A:B:STEP");
+    command.add_option("--roughness", axes.roughness, "micrometres rms")->type_name("UM|A:B:STEP");
     command.add_option("--correlation", axes.correlation, "mm, of the rough face's heights")
         ->type_name("MM|A:B:STEP");
     command
@@ -40,8 +39,7 @@ void add_axes(CLI::App& command, SweepAxes& axes) {
 }  // namespace
 
 void add_sweep_options(CLI::App& command, SweepArguments& arguments) {
-    command
-        .add_option("SCENE", arguments.what, "scene or sweep file (.toml), or a sweep's name")
+    command.add_option("SCENE", arguments.what, "scene or sweep file (.toml), or a sweep's name")
         ->required();
     add_axes(command, arguments.axes);
     command.add_option("-o,--out", arguments.out, "folder to write; default out/sweep/SCENE")

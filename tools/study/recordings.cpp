@@ -1,9 +1,9 @@
 #include "tools/study/recordings.hpp"
 
 #include "classifier/extract_features.hpp"
+#include "sim/core/version.hpp"
 #include "sim/dataset/fingerprint.hpp"
 #include "sim/generate.hpp"
-#include "sim/core/version.hpp"
 
 namespace specula {
 

@@ -160,8 +160,7 @@ std::string c_name(const std::string& experiment) {
     return name.substr(0, 32);
 }
 
-void write_models(std::vector<Model>& models, const Experiment& experiment,
-                  const fs::path& out) {
+void write_models(std::vector<Model>& models, const Experiment& experiment, const fs::path& out) {
     for (Model& model : models)
         model.measurement = measurement_of(experiment.radar, experiment.descriptor);
     for (std::size_t world = 0; world < models.size(); ++world)

@@ -55,14 +55,13 @@ void add_range(const std::vector<double>& limits, const Refusal& refuse,
     for (double i = 0.0; i <= steps; i += 1.0) values.push_back(rounded(first + i * step));
 }
 
-void check_range(const std::vector<double>& values, const AxisRules& rules,
-                 const Refusal& refuse) {
+void check_range(const std::vector<double>& values, const AxisRules& rules, const Refusal& refuse) {
     for (const double value : values) {
         const bool low = rules.min_excluded ? value <= rules.min : value < rules.min;
         if (!low && value <= rules.max) continue;
         refuse(format("{:g} {} is out of range", value, rules.unit),
-               format("use values {} {:g} up to {:g} {}",
-                      rules.min_excluded ? "above" : "from", rules.min, rules.max, rules.unit));
+               format("use values {} {:g} up to {:g} {}", rules.min_excluded ? "above" : "from",
+                      rules.min, rules.max, rules.unit));
     }
 }
 

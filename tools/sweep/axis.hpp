@@ -21,8 +21,8 @@ inline constexpr std::size_t most_values_per_axis = 100'000;
 
 /// The values that a text names: "a", "first:last:step", or several of these with commas between.
 ///
-/// The last value of a range belongs to it if whole steps lead there. Values are rounded to 1e-9, so
-/// that a range from -10 by 0.1 meets zero.
+/// The last value of a range belongs to it if whole steps lead there. Values are rounded to 1e-9,
+/// so that a range from -10 by 0.1 meets zero.
 /// @out  in ascending order, each once
 std::vector<double> read_axis(const std::string& text, const AxisRules& rules,
                               const Refusal& refuse);

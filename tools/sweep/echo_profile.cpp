@@ -43,8 +43,8 @@ EchoProfile echo_profile(const Channel& channel, const Radar& radar) {
     const BeatSignal beat = dechirp(channel, radar.chirp);
     const Window window = window_of(radar.chirp.n_samples);
     const std::vector<Complex> turns = turns_of(n);
-    const double scale = 2.0 / window.sum * radar.amplitude_lsb(radar.tx_power_dbm) /
-                         static_cast<double>(beat.n_rx);
+    const double scale =
+        2.0 / window.sum * radar.amplitude_lsb(radar.tx_power_dbm) / static_cast<double>(beat.n_rx);
     EchoProfile profile;
     profile.bin_lsb.assign(n / 2, 0.0);
     for (int rx = 0; rx < beat.n_rx; ++rx) {

@@ -14,8 +14,9 @@ struct EchoProfile {
     double centroid_bin = 0.0;  ///< of the power in all bins; 0 where there is none
 };
 
-/// Windows the beat of a chirp (Blackman where the chip's library has one of that length), transforms
-/// it, and takes the mean magnitude over the RX, as the descriptor of the classifier does.
+/// Windows the beat of a chirp (Blackman where the chip's library has one of that length),
+/// transforms it, and takes the mean magnitude over the RX, as the descriptor of the classifier
+/// does.
 /// @in   channel  over `comb_of(radar.chirp)`
 /// @eq   PHYSICS.md#dechirp, #range-profile
 EchoProfile echo_profile(const Channel& channel, const Radar& radar);

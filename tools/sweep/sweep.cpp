@@ -80,7 +80,8 @@ std::vector<double> mirror_power(const SweepPlan& plan, const SweptComb& swept, 
 /// The same for a power at every RX and frequency.
 std::vector<double> power_of(const std::vector<double>& values, const Channel& like, int first) {
     const auto n_f = static_cast<std::size_t>(like.n_frequencies);
-    const auto n_rx = static_cast<std::size_t>(like.n_rx), skipped = static_cast<std::size_t>(first);
+    const auto n_rx = static_cast<std::size_t>(like.n_rx),
+               skipped = static_cast<std::size_t>(first);
     std::vector<double> power(n_f - skipped, 0.0);
     if (values.empty()) return power;
     for (std::size_t rx = 0; rx < n_rx; ++rx)
@@ -112,8 +113,8 @@ std::vector<double> diffuse_power(const Scene& scene, const Traced& traced,
     std::vector<double> sum;
     if (scene.solver.roughness == Solver::Roughness::coherent) return sum;
     for (std::size_t body = 0; body < reflectors.size(); ++body)
-        for (const RoughLayer& layer : rough_layers({static_cast<int>(body), reflectors[body]}, comb,
-                                                    scene.solver.accuracy_db)) {
+        for (const RoughLayer& layer : rough_layers({static_cast<int>(body), reflectors[body]},
+                                                    comb, scene.solver.accuracy_db)) {
             const auto power = mean_diffuse_power(
                 diffuse_cells(traced.target, traced.antennas, layer), reflectors, comb);
             sum.resize(power.size(), 0.0);
@@ -125,8 +126,7 @@ std::vector<double> diffuse_power(const Scene& scene, const Traced& traced,
 /// Specimens that look alike to rays share a trace: all of them where nothing lies behind the
 /// sample, else those through which nothing comes, and sheets of one thickness.
 double look_of(const Scene& scene, const Reflector& reflector) {
-    if (scene.objects.empty() ||
-        is_opaque(scene.sample, reflector, scene.radar.chirp.centre_hz()))
+    if (scene.objects.empty() || is_opaque(scene.sample, reflector, scene.radar.chirp.centre_hz()))
         return 0.0;
     return scene.sample.thickness_m;
 }
@@ -148,9 +148,8 @@ std::vector<Measured> measure(const SweepPlan& plan, const Library& materials,
                 ? found->second
                 : traced.try_emplace(look, scene, reflectors, swept.comb.last_hz()).first->second;
         const Channel channel = channel_of(stage.scatter, reflectors, swept.comb);
-        const auto diffuse =
-            power_of(diffuse_power(scene, stage, reflectors, swept.comb), channel,
-                     swept.first_counted);
+        const auto diffuse = power_of(diffuse_power(scene, stage, reflectors, swept.comb), channel,
+                                      swept.first_counted);
         std::vector<double> power = power_of(channel, swept.first_counted);
         for (std::size_t i = 0; i < power.size(); ++i) power[i] += diffuse[i];
         Measured measured{as_rows(std::move(power), plan), as_rows(diffuse, plan)};
@@ -173,7 +172,9 @@ std::vector<double> descriptor_bins(const EchoProfile& profile) {
 
 }  // namespace
 
-std::size_t n_traces(const SweepPlan& plan) { return numbered_geometries(plan).size(); }
+std::size_t n_traces(const SweepPlan& plan) {
+    return numbered_geometries(plan).size();
+}
 
 const SweepRow& Sweep::row(const SweepIndex& at) const {
     std::size_t i = at.specimen;

@@ -12,9 +12,9 @@ inline constexpr double darkest_db = -300.0;
 /// What comes back at one point of the grid.
 struct SweepRow {
     SweepIndex at;
-    double level_db = darkest_db;          ///< |h|^2, mean over RX, pieces and, without --freq, chirp
-    double diffuse_db = darkest_db;        ///< part of it that rough faces scatter
-    double over_mirror_db = darkest_db;    ///< over an infinite mirror at the same height
+    double level_db = darkest_db;        ///< |h|^2, mean over RX, pieces and, without --freq, chirp
+    double diffuse_db = darkest_db;      ///< part of it that rough faces scatter
+    double over_mirror_db = darkest_db;  ///< over an infinite mirror at the same height
     double over_untilted_db = darkest_db;  ///< over the same specimen untilted
     double over_nominal_db = darkest_db;   ///< over the same untilted at the scene's height
     int peak_bin = 0;                      ///< this and the rest only without --freq

@@ -156,8 +156,7 @@ Figure figure_over(const Sweep& sweep, const GridAxis& x, const std::vector<Grid
         for (at.*series.index = 0; at.*series.index < n_curves; ++(at.*series.index)) {
             LevelCurve curve{series.label[at.*series.index], x.x, {}};
             for (at.*x.index = 0; at.*x.index < x.x.size(); ++(at.*x.index))
-                curve.level.push_back(
-                    value_of(sweep.row(at), level, sweep.plan.scene.radar));
+                curve.level.push_back(value_of(sweep.row(at), level, sweep.plan.scene.radar));
             panel.curves.push_back(std::move(curve));
         }
         content.panels.push_back(std::move(panel));

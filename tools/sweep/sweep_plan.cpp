@@ -40,15 +40,15 @@ class AxisSource {
         const bool in_file = file_ && file_->has(key);
         const std::string written = in_file ? file_->text(key) : "";
         if (!argument.empty())
-            return AxisText{argument, [=](const std::string& problem, const std::string& remedy) {
-                                throw InputError(
-                                    format("{} = {}: {}; {}", option, argument, problem, remedy));
-                            }};
+            return AxisText{
+                argument, [=](const std::string& problem, const std::string& remedy) {
+                    throw InputError(format("{} = {}: {}; {}", option, argument, problem, remedy));
+                }};
         if (!in_file) return {};
-        return AxisText{written,
-                        [file = *file_, key](const std::string& problem, const std::string& remedy) {
-                            file.fail(key, problem, remedy);
-                        }};
+        return AxisText{
+            written, [file = *file_, key](const std::string& problem, const std::string& remedy) {
+                file.fail(key, problem, remedy);
+            }};
     }
 
   private:
@@ -168,8 +168,10 @@ void read_specimens(const SweepAxes& axes, const Catalogue& catalogue, SweepPlan
                     sample.roughness_m = roughness_m;
                     sample.correlation_m = correlation_m;
                     if (thickness) specimen.label += format(", {:g} mm", thickness_m * 1e3);
-                    if (roughness) specimen.label += format(", rms {:g} \u00b5m", roughness_m * 1e6);
-                    if (correlation) specimen.label += format(", over {:g} mm", correlation_m * 1e3);
+                    if (roughness)
+                        specimen.label += format(", rms {:g} \u00b5m", roughness_m * 1e6);
+                    if (correlation)
+                        specimen.label += format(", over {:g} mm", correlation_m * 1e3);
                     plan.specimens.push_back(std::move(specimen));
                 }
 }
@@ -191,9 +193,10 @@ void read_file_specimens(Section& file, const Catalogue& catalogue, SweepPlan& p
 
 void check_extent(const SweepPlan& plan) {
     if (plan.n_geometries() > most_geometries || plan.n_rows() > most_rows)
-        throw InputError(format("sweep: {} geometries and {} rows are too many; use larger steps: "
-                                "at most {} and {}",
-                                plan.n_geometries(), plan.n_rows(), most_geometries, most_rows));
+        throw InputError(
+            format("sweep: {} geometries and {} rows are too many; use larger steps: "
+                   "at most {} and {}",
+                   plan.n_geometries(), plan.n_rows(), most_geometries, most_rows));
 }
 
 /// No corner of a tilted sample may come up to the antennas.
@@ -211,8 +214,8 @@ void check_clearance(const SweepPlan& plan) {
                     double top_m = 0.0;
                     for (const double x : {-0.5, 0.5})
                         for (const double y : {-0.5, 0.5})
-                            top_m = std::max(
-                                top_m, place.point({x * size_m[0], y * size_m[1], 0.0}).z());
+                            top_m = std::max(top_m,
+                                             place.point({x * size_m[0], y * size_m[1], 0.0}).z());
                     if (top_m > height_m - clear_of_antennas_m)
                         throw InputError(format(
                             "sweep: a sample of {:g} mm tilted by {:g} deg reaches up to {:.0f} "
@@ -264,8 +267,7 @@ SweepPlan read_sweep_plan(const std::filesystem::path& file, const SweepAxes& ax
         read_file_specimens(*sweep_file, catalogue, plan);
         sweep_file->finish();
     }
-    if (plan.specimens.empty())
-        plan.specimens = {{plan.scene.sample.title(), plan.scene.sample}};
+    if (plan.specimens.empty()) plan.specimens = {{plan.scene.sample.title(), plan.scene.sample}};
     read_specimens(axes, catalogue, plan);
     if (plan.title.empty()) plan.title = "Sweep of " + plan.name;
     check_extent(plan);

@@ -13,7 +13,7 @@ namespace specula {
 
 /// What a sweep turns, and in which plane.
 struct Tilting {
-    bool sensor = true;      ///< about its own phase centre; else the sample about the scene's pivot
+    bool sensor = true;  ///< about its own phase centre; else the sample about the scene's pivot
     bool elevation = false;  ///< else azimuth
 
     bool operator==(const Tilting&) const = default;
@@ -45,15 +45,14 @@ struct SweepPlan {
     std::vector<Tilting> tiltings;
     std::vector<double> tilts_rad;
     std::vector<double> frequencies_hz;  ///< equal steps; empty: mean over the samples of the chirp
-    std::optional<std::size_t> plotted;  ///< in `plotted_levels`; else tilt over mirror, height in dBm
+    std::optional<std::size_t>
+        plotted;  ///< in `plotted_levels`; else tilt over mirror, height in dBm
 
     std::size_t n_geometries() const {
         return sizes_m.size() * heights_m.size() * tiltings.size() * tilts_rad.size();
     }
     std::size_t n_frequencies() const { return std::max<std::size_t>(1, frequencies_hz.size()); }
-    std::size_t n_rows() const {
-        return n_geometries() * specimens.size() * n_frequencies();
-    }
+    std::size_t n_rows() const { return n_geometries() * specimens.size() * n_frequencies(); }
 };
 
 /// Which value of every axis.
@@ -61,8 +60,8 @@ struct SweepIndex {
     std::size_t specimen = 0, size = 0, tilting = 0, height = 0, tilt = 0, frequency = 0;
 };
 
-/// Axes as written, each empty where the scene or the sweep file shall say. Units: degrees, mm, GHz,
-/// micrometres (roughness).
+/// Axes as written, each empty where the scene or the sweep file shall say. Units: degrees, mm,
+/// GHz, micrometres (roughness).
 struct SweepAxes {
     std::string tilt{}, tilted{}, tilt_plane{}, height{}, frequency{};
     std::string material{}, size{}, thickness{}, roughness{}, correlation{}, plot{};

@@ -31,17 +31,11 @@ void add(std::vector<SweepColumn>& columns, const Sweep& sweep, SweepColumn colu
 void add_setting(std::vector<SweepColumn>& columns, const Sweep& sweep) {
     const SweepPlan& p = sweep.plan;
     add(columns, sweep, {"thickness_mm", "mm", "of all layers of the sample together", {}},
-        [&](const SweepRow& r) {
-            return p.specimens[r.at.specimen].sample.thickness_m * 1e3;
-        });
+        [&](const SweepRow& r) { return p.specimens[r.at.specimen].sample.thickness_m * 1e3; });
     add(columns, sweep, {"roughness_um", "um", "rms height of the face towards the radar", {}},
-        [&](const SweepRow& r) {
-            return p.specimens[r.at.specimen].sample.roughness_m * 1e6;
-        });
+        [&](const SweepRow& r) { return p.specimens[r.at.specimen].sample.roughness_m * 1e6; });
     add(columns, sweep, {"correlation_mm", "mm", "correlation length of these heights", {}},
-        [&](const SweepRow& r) {
-            return p.specimens[r.at.specimen].sample.correlation_m * 1e3;
-        });
+        [&](const SweepRow& r) { return p.specimens[r.at.specimen].sample.correlation_m * 1e3; });
     add(columns, sweep, {"size_x_mm", "mm", "length of the sample in azimuth", {}},
         [&](const SweepRow& r) { return p.sizes_m[r.at.size][0] * 1e3; });
     add(columns, sweep, {"size_y_mm", "mm", "length of the sample in elevation", {}},
@@ -93,8 +87,10 @@ void add_bins(std::vector<SweepColumn>& columns, const Sweep& sweep) {
         [](const SweepRow& r) { return r.is_weak ? 1.0 : 0.0; });
     for (std::size_t i = 0; i < sweep.rows.front().bin_lsb.size(); ++i)
         add(columns, sweep,
-            {format("bin_{:02}_lsb", FW_DEFAULT_FIRST_BIN + i), "LSB",
-             "mean magnitude over the RX in this bin, coherent echo alone", {}},
+            {format("bin_{:02}_lsb", FW_DEFAULT_FIRST_BIN + i),
+             "LSB",
+             "mean magnitude over the RX in this bin, coherent echo alone",
+             {}},
             [i](const SweepRow& r) { return r.bin_lsb[i]; });
 }
 
@@ -159,12 +155,14 @@ bool is_sweep_hdf5(const std::filesystem::path& file) {
 StoredSweep read_sweep_hdf5(const std::filesystem::path& file) {
     const Hdf5File in = Hdf5File::open(file);
     if (in.text("/", "format") != sweep_format_name)
-        throw InputError(file.string() + ": /@format: is not a table of specula sweep; write one "
-                                         "with specula sweep");
+        throw InputError(file.string() +
+                         ": /@format: is not a table of specula sweep; write one "
+                         "with specula sweep");
     if (const double version = in.number("/", "format_version"); version != sweep_format_version)
-        throw InputError(format("{}: /@format_version = {}: this program reads version {}; use the "
-                                "program that wrote it",
-                                file.string(), version, sweep_format_version));
+        throw InputError(
+            format("{}: /@format_version = {}: this program reads version {}; use the "
+                   "program that wrote it",
+                   file.string(), version, sweep_format_version));
     StoredSweep stored{.title = in.text("/", "title"),
                        .radar = in.text("/", "radar"),
                        .version = in.text("/", "software_version"),

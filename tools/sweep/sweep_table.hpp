@@ -10,7 +10,7 @@ namespace specula {
 
 /// One column of numbers of a sweep's table.
 struct SweepColumn {
-    std::string name;     ///< ends with its unit
+    std::string name;  ///< ends with its unit
     std::string unit;
     std::string meaning;
     std::vector<double> values;  ///< (row)

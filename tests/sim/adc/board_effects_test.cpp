@@ -84,7 +84,8 @@ TEST_CASE("BPM decoded is TDM, but for rounding", "[adc][mimo]") {
     const AdcFrame bpm = receive(radar, input);
     const std::size_t n = 128;
     for (std::size_t i = 0; i < n; ++i) {
-        const int sum = bpm.codes[i] + bpm.codes[n + i], difference = bpm.codes[i] - bpm.codes[n + i];
+        const int sum = bpm.codes[i] + bpm.codes[n + i],
+                  difference = bpm.codes[i] - bpm.codes[n + i];
         REQUIRE(std::abs(0.5 * sum - tdm.codes[i]) <= 1.0);
         REQUIRE(std::abs(0.5 * difference - tdm.codes[n + i]) <= 1.0);
     }
@@ -102,8 +103,7 @@ TEST_CASE("a moving sample's phase grows from chirp to chirp as Doppler says",
         const double period_s = point["inp"]["Tc_s"];
         radar.chirp.idle_s = period_s - radar.chirp.ramp_end_s;
         // Sample 64 is sent at the case's frequency.
-        radar.chirp.start_hz +=
-            point["inp"]["f_hz"].get<double>() - radar.chirp.frequency_hz(64);
+        radar.chirp.start_hz += point["inp"]["f_hz"].get<double>() - radar.chirp.frequency_hz(64);
         const double velocity = point["inp"]["v_m_s"];
         const AdcFrame frame = receive(radar, {tones(radar, {0.45}), tones(radar, {0.0})},
                                        {.motion = {.velocity_m_s = velocity}});
@@ -126,9 +126,9 @@ TEST_CASE("a vibration far below the wavelength modulates the phase by 2 k d", "
     const double peak_m = 50e-6;
     const ReceiverInput input{tones(radar, {0.45}), tones(radar, {0.0})};
     const AdcFrame still = receive(radar, input);
-    const AdcFrame moved = receive(
-        radar, input,
-        {.motion = {.vibration_m = peak_m, .vibration_hz = 250.0, .vibration_rad = 0.0}});
+    const AdcFrame moved =
+        receive(radar, input,
+                {.motion = {.vibration_m = peak_m, .vibration_hz = 250.0, .vibration_rad = 0.0}});
     const double k = two_pi * radar.chirp.frequency_hz(0) / speed_of_light_m_s;
     for (std::size_t chirp = 0; chirp < 4; ++chirp) {
         const std::size_t i = chirp * 128;

@@ -12,8 +12,7 @@ std::vector<std::complex<double>> beat_with(const Radar& radar, const Interferer
                                             double lead_s) {
     std::vector<std::complex<double>> beat(145);
     Stream stream({.seed = 7, .purpose = "interferer"});
-    Interference(radar, other)
-        .add(beat, {.lead_s = lead_s, .amplitude = amplitude}, stream);
+    Interference(radar, other).add(beat, {.lead_s = lead_s, .amplitude = amplitude}, stream);
     return beat;
 }
 

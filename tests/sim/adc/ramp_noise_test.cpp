@@ -57,7 +57,8 @@ TEST_CASE("an echo keeps of the phase noise what its delay leaves", "[adc][refer
                 n += 1.0;
             }
         INFO(range_m << " m");
-        // Mean square of n normal numbers: sqrt(2 / n) = 1.2 %, five times that; 1 % from the slope.
+        // Mean square of n normal numbers: sqrt(2 / n) = 1.2 %, five times that; 1 % from the
+        // slope.
         CHECK(sum / n == Approx(variance).epsilon(5.0 * std::sqrt(2.0 / n) + 0.01));
     }
     CHECK(seen > 0);

@@ -20,10 +20,10 @@ TEST_CASE("every metal's edge is that of a perfect conductor, no other material'
         } else {
             CHECK(edge_coefficient(half_space) == 0.0);
             for (const double thickness_m : {0.0005, 0.001, 0.003, 0.005, 0.01})
-                CHECK(edge_coefficient({{Layer{.medium = material.at(60e9),
-                                               .thickness_m = thickness_m}},
-                                        HalfSpace{},
-                                        60e9}) == 0.0);
+                CHECK(edge_coefficient(
+                          {{Layer{.medium = material.at(60e9), .thickness_m = thickness_m}},
+                           HalfSpace{},
+                           60e9}) == 0.0);
         }
     }
     CHECK(metals >= 2);

@@ -15,9 +15,8 @@ const TraceSettings with_edges{
 
 /// What the edges alone send back.
 Complex fringe(const Target& target, const PlateScene& scene) {
-    const Scatter scatter{.n_rx = 1,
-                          .routes = {},
-                          .edges = trace_edges(target, scene.antennas(), with_edges)};
+    const Scatter scatter{
+        .n_rx = 1, .routes = {}, .edges = trace_edges(target, scene.antennas(), with_edges)};
     const std::vector<Reflector> metals(target.bodies().size(), perfect_conductor());
     return edge_sum(scatter, 0, metals, frequency_hz);
 }
@@ -59,9 +58,8 @@ TEST_CASE("a rim summed in pieces is the sum over a fine regular spacing", "[edg
             const FreeEdge::Place at = edge.at(2.0 * (i + 0.5) / n - 1.0);
             const Vector3 in = at.point_m - antennas.tx.position_m;
             const Vector3 out = antennas.rx[0].position_m - at.point_m;
-            const Vector3 current =
-                fringe_current(at.frame, {in.normalized(), out.normalized()},
-                               antennas.tx.field_towards(in.normalized()));
+            const Vector3 current = fringe_current(at.frame, {in.normalized(), out.normalized()},
+                                                   antennas.tx.field_towards(in.normalized()));
             sum += antennas.rx[0].field_towards(-out.normalized()).dot(current) * 2.0 *
                    at.stretch_m / n / (in.norm() * out.norm()) *
                    std::polar(1.0, -k * (in.norm() + out.norm()));
@@ -98,8 +96,8 @@ TEST_CASE("an edge between the antennas, or behind a screen, adds nothing", "[ed
 TEST_CASE("a screen over half of an edge leaves the other half", "[edges]") {
     PlateScene scene;
     scene.plate = {.size_x_m = 0.1, .size_y_m = 0.1};
-    const Mesh over_left = triangulate(
-        {.size_x_m = 1.0, .size_y_m = 1.0}, {.shift_m = {-0.5, 0.0, 0.5 * scene.pose.height_m}});
+    const Mesh over_left = triangulate({.size_x_m = 1.0, .size_y_m = 1.0},
+                                       {.shift_m = {-0.5, 0.0, 0.5 * scene.pose.height_m}});
     const auto half = trace_edges(scene.target({over_left}), scene.antennas(), with_edges);
     const auto all = trace_edges(scene.target(), scene.antennas(), with_edges);
     const auto total = [](const std::vector<EdgeScatter>& edges) {
@@ -124,8 +122,7 @@ TEST_CASE("which antenna sends changes the fringe little, and the echo less", "[
                               frequency_hz);
         };
         fringe_db = std::max(
-            fringe_db,
-            deviation(fringe(scene.target(), scene), fringe(back.target(), back)).db);
+            fringe_db, deviation(fringe(scene.target(), scene), fringe(back.target(), back)).db);
         echo_db = std::max(echo_db, deviation(echo(scene), echo(back)).db);
     }
     // On Keller's cone the two are equal but for what physical optics lacks too; antennas 14 mm

@@ -30,9 +30,9 @@ Mesh gridded(const Plate& plate, const Placement& placement, std::uint32_t n) {
     Mesh mesh;
     for (std::uint32_t j = 0; j <= n; ++j)
         for (std::uint32_t i = 0; i <= n; ++i)
-            mesh.vertices_m.push_back(placement.point({plate.size_x_m * (double(i) / n - 0.5),
-                                                       plate.size_y_m * (double(j) / n - 0.5),
-                                                       0.0}));
+            mesh.vertices_m.push_back(
+                placement.point({plate.size_x_m * (double(i) / n - 0.5),
+                                 plate.size_y_m * (double(j) / n - 0.5), 0.0}));
     for (std::uint32_t j = 0; j < n; ++j)
         for (std::uint32_t i = 0; i < n; ++i) {
             const std::uint32_t a = j * (n + 1) + i, c = a + n + 1;
@@ -44,8 +44,8 @@ Mesh gridded(const Plate& plate, const Placement& placement, std::uint32_t n) {
 
 TEST_CASE("a plate echoes the same as 2, 200 or 20000 triangles", "[trace][mesh]") {
     const PlateScene scene = tilted_plate();
-    const Complex exact = direct_sum(scene.scatter(frequency_hz), 0,
-                                     std::array{perfect_conductor()}, frequency_hz);
+    const Complex exact =
+        direct_sum(scene.scatter(frequency_hz), 0, std::array{perfect_conductor()}, frequency_hz);
     for (const std::uint32_t n : {1u, 10u, 100u}) {
         const Target target(
             {mesh_body(gridded(scene.plate, scene.plate_placement(), n), true, 0.0)});
@@ -60,9 +60,9 @@ Mesh sphere(double radius_m, const Vector3& centre_m, std::uint32_t n) {
     for (std::uint32_t i = 0; i <= n; ++i)
         for (std::uint32_t j = 0; j < 2 * n; ++j) {
             const double theta = pi * i / n, phi = pi * j / n;
-            mesh.vertices_m.push_back(
-                centre_m + radius_m * Vector3(std::sin(theta) * std::cos(phi),
-                                              std::sin(theta) * std::sin(phi), std::cos(theta)));
+            mesh.vertices_m.push_back(centre_m + radius_m * Vector3(std::sin(theta) * std::cos(phi),
+                                                                    std::sin(theta) * std::sin(phi),
+                                                                    std::cos(theta)));
         }
     for (std::uint32_t i = 0; i < n; ++i)
         for (std::uint32_t j = 0; j < 2 * n; ++j) {
@@ -90,8 +90,8 @@ TEST_CASE("a sphere echoes the same from 6000 and from 25000 triangles", "[trace
     const double wavelength_m = speed_of_light_m_s / frequency_hz;
     const double nearest_m = range_m - radius_m;
     const double gain = gain_towards(scene.pattern, {0.0, 0.0, -1.0});
-    const double expected = gain * wavelength_m * radius_m /
-                            (8.0 * pi * nearest_m * (nearest_m + radius_m));
+    const double expected =
+        gain * wavelength_m * radius_m / (8.0 * pi * nearest_m * (nearest_m + radius_m));
     CHECK(decibel(std::abs(fine) / expected) == Approx(0.0).margin(0.3));
 }
 

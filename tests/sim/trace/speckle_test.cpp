@@ -94,8 +94,8 @@ TEST_CASE("over many pieces the diffuse power is the mean that is foretold", "[s
 }
 
 TEST_CASE("speckle stands still with the piece and is another after 5 mm sideways", "[speckle]") {
-    // A short correlation lights the whole plate; a long one narrows the spot, and coarser grains of
-    // speckle come from it.
+    // A short correlation lights the whole plate; a long one narrows the spot, and coarser grains
+    // of speckle come from it.
     const Reflector reflector = rough_conductor(2e-4, 2e-3);
     const PlateScene still = scene_with(0.3, 0.45);
     const RouteScatter here = cells_in(still, 2e-3);

@@ -38,8 +38,8 @@ ChirpSeries record(const Radar& radar, const ReceiverInput& input, int n_chirps)
 }
 
 ChirpSeries record_empty(const Radar& radar, int n_chirps) {
-    const auto none = dechirp(silent_channel(static_cast<int>(radar.rx.size()), comb_of(radar.chirp)),
-                              radar.chirp);
+    const auto none = dechirp(
+        silent_channel(static_cast<int>(radar.rx.size()), comb_of(radar.chirp)), radar.chirp);
     return record(radar, {none, dechirp(leakage_channel(radar, {}), radar.chirp)}, n_chirps);
 }
 
@@ -54,7 +54,8 @@ Radar unknowing(Radar radar) {
 
 Complex wave_at(const Leakage& leak, const Radar& radar) {
     const double k = two_pi * radar.chirp.centre_hz() / speed_of_light_m_s;
-    return std::polar(std::pow(10.0, leak.level_dbm / 20.0), leak.phase_rad - 2.0 * k * leak.range_m);
+    return std::polar(std::pow(10.0, leak.level_dbm / 20.0),
+                      leak.phase_rad - 2.0 * k * leak.range_m);
 }
 
 TEST_CASE("calibration finds the board that an empty recording was made with", "[likeness]") {
@@ -65,8 +66,7 @@ TEST_CASE("calibration finds the board that an empty recording was made with", "
     CHECK(found.radar.receiver.noise_figure_db == Approx(15.0).margin(0.4));
     CHECK(found.radar.receiver.adc_noise_lsb == Approx(0.7).margin(0.07));
     for (std::size_t rx = 0; rx < 2; ++rx)
-        CHECK(found.radar.rx[rx].dc_offset_lsb ==
-              Approx(truth.rx[rx].dc_offset_lsb).margin(0.15));
+        CHECK(found.radar.rx[rx].dc_offset_lsb == Approx(truth.rx[rx].dc_offset_lsb).margin(0.15));
     REQUIRE(found.radar.leakage.size() == 2);
     for (std::size_t i = 0; i < 2; ++i) {
         const Leakage &is = found.radar.leakage[i], &was = truth.leakage[i];
@@ -147,10 +147,13 @@ TEST_CASE("a recording of another radar, or too short a one, is refused", "[like
     Radar other = board();
     other.rx.resize(1);
     other.leakage.clear();
-    CHECK(message_of([&] { return calibrate(record_empty(board(), 5), other, nullptr); })
-              .find("the recording has 2 RX and 128 samples, radar iwrl6432boost has 1 and 128") == 0);
-    CHECK(message_of([&] { return calibrate(record_empty(board(), 2), board(), nullptr); })
-              .find("the recording has 2 chirps; record three or more") == 0);
+    CHECK(message_of([&] {
+              return calibrate(record_empty(board(), 5), other, nullptr);
+          }).find("the recording has 2 RX and 128 samples, radar iwrl6432boost has 1 and 128") ==
+          0);
+    CHECK(message_of([&] {
+              return calibrate(record_empty(board(), 2), board(), nullptr);
+          }).find("the recording has 2 chirps; record three or more") == 0);
 }
 
 TEST_CASE("a board is like its own recording, and unlike one of another", "[likeness]") {

@@ -26,8 +26,9 @@ TEST_CASE("show explains a TI command file and what it means for a sample", "[pr
 
 TEST_CASE("a scene may name a TI command file beside it", "[program][simulate]") {
     const MadeUpFolder folder;
-    folder.with("mine.cfg", "channelCfg 7 3 0\nchirpComnCfg 20 0 0 128 4 33 0\n"
-                            "chirpTimingCfg 6 28 0 150 57.5\nframeCfg 2 0 403 2 100 0\n");
+    folder.with("mine.cfg",
+                "channelCfg 7 3 0\nchirpComnCfg 20 0 0 128 4 33 0\n"
+                "chirpTimingCfg 6 28 0 150 57.5\nframeCfg 2 0 403 2 100 0\n");
     const auto scene =
         folder.with("scene.toml", edited(project_file("scenes/examples/metal_plate.toml"),
                                          "\"iwrl6432boost\"", "\"mine.cfg\""));
@@ -75,9 +76,8 @@ TEST_CASE("a simulated board can be calibrated and is like itself", "[program][c
     folder.with("scene.toml", edited(project_file("scenes/examples/metal_plate.toml"),
                                      "\"iwrl6432boost\"", "\"board.toml\""));
     REQUIRE(specula_in(folder.path(), {"simulate", "scene.toml"}).status == 0);
-    const Ended done =
-        specula_in(folder.path(), {"calibrate", "scene.h5", "--radar", "board.toml", "--scene",
-                                   "scene.toml", "--out", "mine.toml"});
+    const Ended done = specula_in(folder.path(), {"calibrate", "scene.h5", "--radar", "board.toml",
+                                                  "--scene", "scene.toml", "--out", "mine.toml"});
     INFO(done.errors);
     REQUIRE(done.status == 0);
     CHECK(contains(done.output, "gain +0.0") + contains(done.output, "gain -0.0") > 0);

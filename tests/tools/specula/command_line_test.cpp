@@ -10,10 +10,10 @@
 namespace specula {
 namespace {
 
-const std::vector<std::string> commands{
-    "study",  "simulate", "show",            "sweep",   "validate", "import",    "export",
-    "train",  "evaluate", "verify-firmware", "latency", "list",     "completion",
-    "calibrate", "likeness"};
+const std::vector<std::string> commands{"study",      "simulate",        "show",    "sweep",
+                                        "validate",   "import",          "export",  "train",
+                                        "evaluate",   "verify-firmware", "latency", "list",
+                                        "completion", "calibrate",       "likeness"};
 
 bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;

@@ -10,10 +10,11 @@ namespace fs = std::filesystem;
 
 const std::string plate = SPECULA_SOURCE_DIR "/scenes/examples/metal_plate.toml";
 
-TEST_CASE("sweep writes a table twice and a figure per axis, and show reads it", "[program][sweep]") {
+TEST_CASE("sweep writes a table twice and a figure per axis, and show reads it",
+          "[program][sweep]") {
     const TemporaryFolder folder;
-    const Ended swept = specula_in(folder.path(), {"sweep", plate, "--tilt", "0:4:2", "--tilted",
-                                                   "sample", "--size", "50"});
+    const Ended swept = specula_in(
+        folder.path(), {"sweep", plate, "--tilt", "0:4:2", "--tilted", "sample", "--size", "50"});
     REQUIRE(swept.status == 0);
     CHECK(swept.output.find("3 rows. Wrote table.csv, table.h5, level_over_tilt.svg") !=
           std::string::npos);

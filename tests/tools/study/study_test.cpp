@@ -153,8 +153,8 @@ TEST_CASE("what a study writes is what it recorded, trained and judged", "[study
         const StudyCondition& height = toy().summary.conditions[2];
         REQUIRE(height.features.size() == 2);
         const Dataset dataset = toy().dataset("height");
-        const FeatureTable rows =
-            extract_features(dataset, {6, 12, FW_WINDOW_BLACKMAN, FW_INTEGRATE_MEAN, FW_RANGE_FLOAT}, 1);
+        const FeatureTable rows = extract_features(
+            dataset, {6, 12, FW_WINDOW_BLACKMAN, FW_INTEGRATE_MEAN, FW_RANGE_FLOAT}, 1);
         for (std::size_t label = 0; label < 2; ++label) {
             double sum = 0.0, square = 0.0, n = 0.0;
             for (std::size_t i = 0; i < rows.size(); ++i) {

@@ -42,10 +42,10 @@ TEST_CASE("an axis that cannot be is refused with a remedy", "[sweep]") {
     CHECK(complaint("10:0:1") == "runs backwards from 10 to 0; put the lower value first");
     CHECK(complaint("0:10:0") == "a step of 0 leads nowhere; use a step above 0");
     CHECK(complaint("0:10:-1").find("the step -1 is negative") == 0);
-    CHECK(complaint("0:90:10") ==
-          "90 deg is out of range; use values from -85 up to 85 deg");
+    CHECK(complaint("0:90:10") == "90 deg is out of range; use values from -85 up to 85 deg");
     CHECK(complaint("0:1:1e-6").find("makes 1e+06 values; use a larger step") == 0);
-    for (const std::string text : {"", "x", "1:2", "1:2:3:4", "nan", "inf", "1:inf:1", "1,,2", "0x10"})
+    for (const std::string text :
+         {"", "x", "1:2", "1:2:3:4", "nan", "inf", "1:inf:1", "1,,2", "0x10"})
         CHECK(complaint(text).find("write one value, first:last:step, or several") !=
               std::string::npos);
 }

@@ -4,8 +4,8 @@
 #include "tools/sweep/sweep.hpp"
 
 // The sweeps of the documentation against numbers of another program: near-field physical optics on
-// a fine grid in numpy, 58 to 62 GHz, one antenna for both ways, rounded to 0.1 dB. Ours averages the
-// chirp's 58.0 to 61.9 GHz and has its antennas up to 14 mm apart.
+// a fine grid in numpy, 58 to 62 GHz, one antenna for both ways, rounded to 0.1 dB. Ours averages
+// the chirp's 58.0 to 61.9 GHz and has its antennas up to 14 mm apart.
 
 namespace specula {
 namespace {
@@ -39,8 +39,8 @@ TEST_CASE("the loss by a tilt follows an independent calculation for every size"
 }
 
 TEST_CASE("a tilt of the sensor costs what the antenna patterns say", "[sweep]") {
-    const Sweep sweep = swept(plan_of("tilt_and_size", {.tilt = "10", .tilted = "sensor",
-                                                        .size = "300"}));
+    const Sweep sweep =
+        swept(plan_of("tilt_and_size", {.tilt = "10", .tilted = "sensor", .size = "300"}));
     // Both ways: cos^1.99 in azimuth, cos^6.93 in elevation, at the one angle of the foot.
     CHECK(sweep.row({.tilting = 0}).over_untilted_db == Approx(-0.27).margin(0.02));
     CHECK(sweep.row({.tilting = 1}).over_untilted_db == Approx(-0.92).margin(0.04));
@@ -64,7 +64,8 @@ TEST_CASE("levels over height follow an independent calculation for every materi
         CHECK(sweep.row({.specimen = p.specimen, .height = 1}).over_mirror_db ==
               Approx(p.over_mirror_db).margin(0.5));  // with the ripple of the rims of 30 cm
     }
-    const double apart_db = sweep.row({.specimen = 1}).level_db - sweep.row({.specimen = 0}).level_db;
+    const double apart_db =
+        sweep.row({.specimen = 1}).level_db - sweep.row({.specimen = 0}).level_db;
     CHECK(apart_db > 0.003);
     CHECK(apart_db < 0.012);
 }

@@ -50,8 +50,12 @@ double plain_level_db(const Scene& scene, const FrequencyComb& comb) {
 
 TEST_CASE("a level of a sweep is the plain surface integral of the scene it stands for",
           "[sweep]") {
-    const Sweep sweep = swept(plan_of({.tilt = "7", .tilted = "sample", .tilt_plane = "elevation",
-                                       .height = "400", .material = "plexiglass", .size = "60",
+    const Sweep sweep = swept(plan_of({.tilt = "7",
+                                       .tilted = "sample",
+                                       .tilt_plane = "elevation",
+                                       .height = "400",
+                                       .material = "plexiglass",
+                                       .size = "60",
                                        .thickness = "5"}));
     REQUIRE(sweep.rows.size() == 1);
     Scene scene = read_scene(SPECULA_SOURCE_DIR "/scenes/examples/metal_plate.toml", catalogue());
@@ -88,8 +92,9 @@ TEST_CASE("the echo stands in the bin of its height", "[sweep]") {
     }
 }
 
-TEST_CASE("a tilted sample of 15 cm loses the mirror's echo, one of 30 cm and a tilted sensor do not",
-          "[sweep]") {
+TEST_CASE(
+    "a tilted sample of 15 cm loses the mirror's echo, one of 30 cm and a tilted sensor do not",
+    "[sweep]") {
     const Sweep sweep =
         swept(plan_of({.tilt = "0,10", .tilted = "sample,sensor", .size = "150,300"}));
     const auto loss_db = [&](std::size_t size, std::size_t tilting) {
@@ -111,8 +116,8 @@ TEST_CASE("a sweep gives the same numbers for any number of threads", "[sweep]")
 }
 
 TEST_CASE("with frequencies a level stands at each of them, and no bins", "[sweep]") {
-    const Sweep sweep = swept(plan_of({.frequency = "58:62:2", .material = "plexiglass",
-                                       .size = "80", .thickness = "3"}));
+    const Sweep sweep = swept(plan_of(
+        {.frequency = "58:62:2", .material = "plexiglass", .size = "80", .thickness = "3"}));
     REQUIRE(sweep.rows.size() == 3);
     CHECK(sweep_csv(sweep).find("frequency_ghz") != std::string::npos);
     CHECK(sweep_csv(sweep).find("peak_bin") == std::string::npos);
@@ -123,7 +128,8 @@ TEST_CASE("with frequencies a level stands at each of them, and no bins", "[swee
 
 TEST_CASE("the table comes back from HDF5 as it was", "[sweep]") {
     const TemporaryFolder folder;
-    const Sweep sweep = swept(plan_of({.tilt = "0,5", .material = "iron,plexiglass", .size = "50"}));
+    const Sweep sweep =
+        swept(plan_of({.tilt = "0,5", .material = "iron,plexiglass", .size = "50"}));
     write_sweep_hdf5(folder / "table.h5", sweep);
     REQUIRE(is_sweep_hdf5(folder / "table.h5"));
     const StoredSweep stored = read_sweep_hdf5(folder / "table.h5");
@@ -152,7 +158,8 @@ TEST_CASE("a sweep that cannot be is refused before anything is simulated", "[sw
     const auto complaint = [](const SweepAxes& axes, const std::string& scene = "metal_plate") {
         return message_of([&] { return plan_of(axes, scene); });
     };
-    CHECK(complaint({.height = "50"}).find("among the leakage of bins 0 to 2") != std::string::npos);
+    CHECK(complaint({.height = "50"}).find("among the leakage of bins 0 to 2") !=
+          std::string::npos);
     CHECK(complaint({.height = "450:5000:50"}).find("is beyond the farthest range") !=
           std::string::npos);
     CHECK(complaint({.tilt = "80", .tilted = "sample", .size = "1000"})
@@ -186,8 +193,9 @@ TEST_CASE("a sweep file names the key that is wrong", "[sweep]") {
             folder.with("s.toml", "title = \"t\"\nscene = \"plate.toml\"\n" + more + "\n");
         return message_of([&] { return read_sweep_plan(file, {}, catalogue()); });
     };
-    CHECK(complaint("tilt_deg = \"5:0:1\"").find("s.toml:3: tilt_deg = \"5:0:1\": runs backwards") !=
-          std::string::npos);
+    CHECK(
+        complaint("tilt_deg = \"5:0:1\"").find("s.toml:3: tilt_deg = \"5:0:1\": runs backwards") !=
+        std::string::npos);
     CHECK(complaint("tilt_mm = \"5\"").find("s.toml:3: tilt_mm") != std::string::npos);
     CHECK(complaint("[[specimen]]\nmaterial = \"irn\"\nthickness_mm = 3").find("iron") !=
           std::string::npos);

@@ -114,8 +114,9 @@ std::vector<Quantity> high_pass_point(const CasePoint& point) {
     const double tolerance_db = point.tolerance.number("db", Range::inside(0.0, 3.0));
     // An error of that level, turned by a quarter.
     const double tolerance_deg = std::asin(std::pow(10.0, tolerance_db / 20.0) - 1.0) * 180.0 / pi;
-    // The case defines the analog filter, phase included: the simulator's code is judged at a rate at
-    // which sampling costs nothing. At the ADC's rate, which bends the phase, its level is shown.
+    // The case defines the analog filter, phase included: the simulator's code is judged at a rate
+    // at which sampling costs nothing. At the ADC's rate, which bends the phase, its level is
+    // shown.
     const double fine_hz = std::max(256.0 * corner_hz, 1.25 * rate_hz);
     Comparison compare(point);
     for (const std::string& name : point.expect.names()) {

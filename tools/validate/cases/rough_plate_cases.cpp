@@ -58,9 +58,10 @@ RoughPlate plate_of(const Fields& inp) {
 /// What the engine says of the plate.
 struct RoughEcho {
     Complex smooth, coherent;
-    double diffuse_power = 0.0;    ///< mean over pieces
+    double diffuse_power = 0.0;       ///< mean over pieces
     double spread_of_level_db = 0.0;  ///< standard deviation over pieces
-    double of_fields_power = 0.0;  ///< diffuse power of explicit height fields; 0: too many triangles
+    double of_fields_power =
+        0.0;  ///< diffuse power of explicit height fields; 0: too many triangles
 };
 
 double spread_of(const std::vector<double>& values) {
@@ -78,8 +79,7 @@ double power_of_fields(const RoughPlate& plate, Complex coherent) {
     double sum = 0.0;
     for (int i = 0; i < n_fields; ++i) {
         Stream piece({.seed = static_cast<std::uint64_t>(i), .purpose = "heights"});
-        const Mesh mesh =
-            height_field(plate.face, {plate.roughness_m, plate.correlation_m}, piece);
+        const Mesh mesh = height_field(plate.face, {plate.roughness_m, plate.correlation_m}, piece);
         const Scatter scatter = trace(Target({mesh_body(mesh, true, 0.0)}), plate.antennas,
                                       {.highest_hz = plate.frequency_hz});
         sum += std::norm(direct_sum(scatter, 0, {&metal, 1}, plate.frequency_hz) - coherent);
@@ -91,8 +91,7 @@ RoughEcho echo_of(const RoughPlate& plate) {
     const Reflector smooth = plate.reflector(0.0), rough = plate.reflector(plate.roughness_m);
     const double f_hz = plate.frequency_hz;
     const Target target = plate.target();
-    const Scatter mirror =
-        trace(target, plate.antennas, {.highest_hz = f_hz, .accuracy_db = 1e-3});
+    const Scatter mirror = trace(target, plate.antennas, {.highest_hz = f_hz, .accuracy_db = 1e-3});
     RoughEcho echo;
     echo.smooth = direct_sum(mirror, 0, {&smooth, 1}, f_hz);
     echo.coherent = direct_sum(mirror, 0, {&rough, 1}, f_hz);
@@ -105,8 +104,7 @@ RoughEcho echo_of(const RoughPlate& plate) {
         Scatter piece{.n_rx = 1, .routes = {cells}};
         Stream heights({.seed = static_cast<std::uint64_t>(i), .purpose = "speckle"});
         draw_speckle(piece.routes[0], heights);
-        levels_db.push_back(
-            amplitude_db(echo.coherent + direct_sum(piece, 0, {&rough, 1}, f_hz)));
+        levels_db.push_back(amplitude_db(echo.coherent + direct_sum(piece, 0, {&rough, 1}, f_hz)));
     }
     echo.spread_of_level_db = spread_of(levels_db);
     echo.of_fields_power = power_of_fields(plate, echo.coherent);
@@ -119,8 +117,8 @@ double standard_error(const CasePoint& point, const RoughEcho& echo) {
     const double smooth_db = amplitude_db(echo.smooth);
     const double diffuse_db = point.expect.number_or("incoherent_power_rel_smooth_db",
                                                      power_db(echo.diffuse_power) - smooth_db);
-    const double coherent_db = point.expect.number_or("coherent_rel_smooth_db",
-                                                      amplitude_db(echo.coherent) - smooth_db);
+    const double coherent_db =
+        point.expect.number_or("coherent_rel_smooth_db", amplitude_db(echo.coherent) - smooth_db);
     const int n_real = point.inp.count("n_real", Range::between(1, 1'000'000));
     return std::sqrt(0.5 * std::pow(10.0, (diffuse_db - coherent_db) / 10.0) / n_real);
 }

@@ -56,8 +56,8 @@ struct Fade {
 void spread_in_two_dimensions(PairScatter& pair, const StripScene& scene, const Fade& fade) {
     for (std::size_t i = 0; i < pair.path_m.size(); ++i) {
         const double path_m = pair.path_m[i];
-        const double factor = std::sqrt(path_m / (2.0 * scene.height_m)) *
-                              fade.at(0.5 * path_m / farthest_m(scene));
+        const double factor =
+            std::sqrt(path_m / (2.0 * scene.height_m)) * fade.at(0.5 * path_m / farthest_m(scene));
         for (std::vector<double>& weight : pair.weight) weight[i] *= factor;
     }
 }
@@ -84,11 +84,9 @@ StripScene strip_scene_of(const Fields& inp, std::initializer_list<const char*> 
 
 StripEcho::StripEcho(const StripScene& scene, const Options& options)
     : scene_(scene),
-      scatter_(trace(strip_of(scene, options.reach),
-                     line_antennas(scene, options.polarisation),
-                     {.highest_hz = scene.frequency_hz,
-                      .accuracy_db = accuracy_db,
-                      .edge_currents = true})) {
+      scatter_(trace(
+          strip_of(scene, options.reach), line_antennas(scene, options.polarisation),
+          {.highest_hz = scene.frequency_hz, .accuracy_db = accuracy_db, .edge_currents = true})) {
     const Fade fade{full, options.reach};
     for (RouteScatter& route : scatter_.routes)
         for (PairScatter& pair : route.rx) spread_in_two_dimensions(pair, scene, fade);

@@ -73,22 +73,22 @@ Json other_plate() {
     for (const C& h : echoes)
         spread += std::pow(20.0 * std::log10(std::abs(h)) - level, 2) / (n_surfaces - 1);
     const double smooth_db = 20.0 * std::log10(std::abs(smooth));
-    return case_of("S01_other",
-                   {{"L_m", side_m},
-                    {"H_m", height_m},
-                    {"f_hz", frequency_hz},
-                    {"rms_m", rms_m},
-                    {"corr_len_m", correlation_m},
-                    {"correlation", "Gaussian exp(-r^2/lc^2)"},
-                    {"n_real", n_surfaces},
-                    {"antenna", "iso"}},
-                   {{"mean_h", {{"h", pair_of(mean)}}},
-                    {"coherent_rel_smooth_db", 20.0 * std::log10(std::abs(mean)) - smooth_db},
-                    {"ament_prediction_db", -20.0 * std::log10(std::exp(1.0)) * 2.0 *
-                                                std::pow(k * rms_m, 2)},
-                    {"incoherent_power_rel_smooth_db", 10.0 * std::log10(power) - smooth_db},
-                    {"std_of_abs_db", std::sqrt(spread)}},
-                   {{"coherent_db", 0.5}, {"incoherent_db", 2.0}, {"std_rel", 0.35}});
+    return case_of(
+        "S01_other",
+        {{"L_m", side_m},
+         {"H_m", height_m},
+         {"f_hz", frequency_hz},
+         {"rms_m", rms_m},
+         {"corr_len_m", correlation_m},
+         {"correlation", "Gaussian exp(-r^2/lc^2)"},
+         {"n_real", n_surfaces},
+         {"antenna", "iso"}},
+        {{"mean_h", {{"h", pair_of(mean)}}},
+         {"coherent_rel_smooth_db", 20.0 * std::log10(std::abs(mean)) - smooth_db},
+         {"ament_prediction_db", -20.0 * std::log10(std::exp(1.0)) * 2.0 * std::pow(k * rms_m, 2)},
+         {"incoherent_power_rel_smooth_db", 10.0 * std::log10(power) - smooth_db},
+         {"std_of_abs_db", std::sqrt(spread)}},
+        {{"coherent_db", 0.5}, {"incoherent_db", 2.0}, {"std_rel", 0.35}});
 }
 
 TEST_CASE("another rough plate scatters as a sum over made-up heights says", "[validate][S01]") {
@@ -96,8 +96,8 @@ TEST_CASE("another rough plate scatters as a sum over made-up heights says", "[v
     check_passes(plate);
     Json wrong = plate;
     Json& expected = wrong["points"][0]["expect"];
-    for (const auto& [name, off_db] : {std::pair{"incoherent_power_rel_smooth_db", 4.0},
-                                       {"ament_prediction_db", 0.6}})
+    for (const auto& [name, off_db] :
+         {std::pair{"incoherent_power_rel_smooth_db", 4.0}, {"ament_prediction_db", 0.6}})
         expected[name] = expected[name].get<double>() + off_db;
     const CaseVerdict verdict = validated(wrong);
     for (const Quantity& quantity : verdict.points.front().quantities)

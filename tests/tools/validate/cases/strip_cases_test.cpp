@@ -46,9 +46,9 @@ double level_db(Complex h) {
 
 TEST_CASE("edge currents bring the TM echo of other strips to the method of moments", "[W01]") {
     constexpr double degree = pi / 180.0;
-    for (const StripScene& scene : {StripScene{0.06, 0.3, 12.0 * degree, 60e9},
-                                    StripScene{0.08, 0.5, -7.0 * degree, 61.5e9},
-                                    StripScene{0.05, 0.25, 20.0 * degree, 57e9}}) {
+    for (const StripScene& scene :
+         {StripScene{0.06, 0.3, 12.0 * degree, 60e9}, StripScene{0.08, 0.5, -7.0 * degree, 61.5e9},
+          StripScene{0.05, 0.25, 20.0 * degree, 57e9}}) {
         const StripEcho strip(scene, {.polarisation = LinePolarisation::tm});
         const double expected = level_db(moments_echo(scene));
         const double optics = level_db(strip.of(perfect_conductor()));
@@ -88,12 +88,11 @@ TEST_CASE("a W case is judged by level above and below -10 dB", "[W01]") {
     check_passes(case_of("W01_other", inp, {{"PO_TM_db", -17.0056}}, tolerance));
     CHECK(validated(case_of("W01_other", inp, {{"PO_TM_db", -17.05}}, tolerance)).verdict() ==
           Verdict::fail);
-    CHECK(validated(case_of("W01_other", {{"strip_width_m", 3.0},
-                                          {"H_m", 0.3},
-                                          {"tilt_deg", 30},
-                                          {"f_hz", 60e9}},
-                            {{"PO_TM_db", 0.0}}, tolerance))
-              .verdict() == Verdict::not_computable);
+    CHECK(
+        validated(case_of("W01_other",
+                          {{"strip_width_m", 3.0}, {"H_m", 0.3}, {"tilt_deg", 30}, {"f_hz", 60e9}},
+                          {{"PO_TM_db", 0.0}}, tolerance))
+            .verdict() == Verdict::not_computable);
 }
 
 TEST_CASE("a dielectric strip with the polarisation across it is computed too", "[W02]") {
