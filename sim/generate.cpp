@@ -10,7 +10,7 @@ std::size_t session_count(const Condition& condition, const Population& populati
 }
 
 Dataset generate(const Bench& bench, const Condition& condition, int worlds, int threads,
-                 std::atomic<std::size_t>* done) {
+                 std::atomic<std::size_t>* done, std::size_t* weak) {
     const auto n_classes = bench.population.classes.size();
     const auto n_per_class = static_cast<std::size_t>(condition.sessions_per_class());
     std::vector<SessionFrames> sessions(session_count(condition, bench.population, worlds));
@@ -32,6 +32,7 @@ Dataset generate(const Bench& bench, const Condition& condition, int worlds, int
     dataset.n_rx = static_cast<int>(bench.radar.rx.size());
     dataset.n_samples = bench.radar.chirp.n_samples;
     for (SessionFrames& session : sessions) {
+        if (weak && session.is_weak) ++*weak;
         dataset.adc.insert(dataset.adc.end(), session.adc.begin(), session.adc.end());
         dataset.adc_quadrature.insert(dataset.adc_quadrature.end(), session.adc_quadrature.begin(),
                                       session.adc_quadrature.end());

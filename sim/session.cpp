@@ -5,6 +5,7 @@
 #include "sim/clutter.hpp"
 #include "sim/core/constants.hpp"
 #include "sim/core/expect.hpp"
+#include "sim/limits.hpp"
 #include "sim/session_drift.hpp"
 #include "sim/simulate.hpp"
 
@@ -148,8 +149,8 @@ SessionFrames simulate_session(const Bench& bench, const Condition& condition,
     SPECULA_EXPECT(id.world >= 0 && id.world < SessionId::most_worlds);
     const Sample sample = draw_sample(bench, condition, id);
     const Placed placed = draw_placement(bench, condition, id);
-    const Channel echo =
-        echo_channel({bench.radar, sample, placed.pose, bench.solver}, bench.materials);
+    const Scene scene{bench.radar, sample, placed.pose, bench.solver};
+    const Channel echo = echo_channel(scene, bench.materials);
     const bool board_drifts = bench.population.session.board_drifts();
     const Channel leakage = leakage_channel(bench.radar, placed.board);
     const Channel silence = silent_channel(leakage.n_rx, comb_of(bench.radar.chirp));
@@ -163,6 +164,7 @@ SessionFrames simulate_session(const Bench& bench, const Condition& condition,
     const SessionDrift drift(bench.population.session, bench.radar.rx.size(), drift_stream);
 
     SessionFrames out;
+    out.is_weak = !echo_limits(scene, bench.materials, echo).empty();
     Truth truth = session_truth(condition, id, sample, placed.pose);
     for (int i = 0; i < condition.frames; ++i) {
         const std::uint32_t item = (item_of(condition, id) << 12) | static_cast<std::uint32_t>(i);

@@ -31,6 +31,7 @@ struct SessionFrames {
     std::vector<std::int16_t> adc;             ///< (frame, chirp, rx, sample)
     std::vector<std::int16_t> adc_quadrature;  ///< likewise, of a complex receiver; else empty
     std::vector<Truth> truth;                  ///< (frame)
+    bool is_weak = false;                      ///< echo_limits has something to say
 };
 
 /// Draws the sample, its placement and the state of the board, traces the scene once, and records

@@ -46,16 +46,16 @@ void Progress::watch() {
 std::string Progress::line() const {
     const std::size_t done = done_;
     const double elapsed_s = std::chrono::duration<double>(Clock::now() - start_).count();
-    const double share = total_ == 0 ? 1.0 : static_cast<double>(done) / static_cast<double>(total_);
+    const double share =
+        total_ == 0 ? 1.0 : static_cast<double>(done) / static_cast<double>(total_);
     const double rate = elapsed_s > 0.0 ? static_cast<double>(done) / elapsed_s : 0.0;
     constexpr int width = 24;
     const int filled = static_cast<int>(share * width);
     const std::string bar = std::string(static_cast<std::size_t>(filled), '#') +
                             std::string(static_cast<std::size_t>(width - filled), '.');
-    const std::string time =
-        done >= total_ ? "took " + duration_text(elapsed_s)
-        : done > 0     ? duration_text(elapsed_s * (1.0 / share - 1.0)) + " left"
-                       : std::string("starting");
+    const std::string time = done >= total_ ? "took " + duration_text(elapsed_s)
+                             : done > 0 ? duration_text(elapsed_s * (1.0 / share - 1.0)) + " left"
+                                        : std::string("starting");
     return format("{:<26} [{}] {:3.0f} %  {}/{} {}  {:.0f}/s  {}", what_, bar, 100.0 * share, done,
                   total_, unit_, rate, time);
 }

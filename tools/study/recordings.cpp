@@ -15,7 +15,8 @@ Recording record(const Experiment& experiment, const Library& materials, const R
     recording.condition = condition;
     recording.file = run.folder / "datasets" / (condition.name + ".h5");
     {
-        Dataset simulated = generate(bench, condition, run.worlds, run.threads, &progress.done());
+        Dataset simulated = generate(bench, condition, run.worlds, run.threads, &progress.done(),
+                                     &recording.weak_echoes);
         simulated.origin.experiment = experiment.source;
         simulated.origin.version = program_version;
         write_dataset(recording.file, simulated);

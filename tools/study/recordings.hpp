@@ -24,6 +24,7 @@ struct Recording {
     std::filesystem::path file;
     std::string fingerprint;
     FeatureTable features;
+    std::size_t weak_echoes = 0;  ///< sessions of which physical optics is known to be off
 };
 
 /// Simulates a condition in every world, writes the dataset, reads it back and extracts the

@@ -121,10 +121,26 @@ std::vector<std::string> warnings_of(const Experiment& experiment, const Library
         Scene scene;
         scene.radar = experiment.radar;
         scene.sample = law.nominal;
+        scene.sample.roughness_m = law.roughness_m.median();
+        scene.sample.correlation_m = law.correlation_m.median();
+        for (const std::string& warning : roughness_warnings(scene.sample, band))
+            add(law.name + ": " + warning);
         for (const std::string& limit : optics_limits(scene, materials))
             add(law.name + ": " + limit);
     }
     return warnings;
+}
+
+void warn_of_weak_echoes(const std::vector<Recording>& recordings, const Experiment& experiment,
+                         const RunSettings& run, std::vector<std::string>& warnings) {
+    for (const Recording& recording : recordings) {
+        if (recording.weak_echoes == 0) continue;
+        warnings.push_back(format(
+            "{}: {} of {} sessions have an echo 15 dB or more below that of an endless sheet; "
+            "edges count there, and full-wave solutions differ by up to 1.5 dB",
+            recording.condition.title, recording.weak_echoes,
+            session_count(recording.condition, experiment.population, run.worlds)));
+    }
 }
 
 std::vector<Split> split_worlds(const Experiment& experiment, const FeatureTable& recorded,
@@ -200,6 +216,7 @@ StudySummary run_study(const StudyRequest& request, const Catalogue& catalogue) 
     summary.merged_label = merged_label(experiment);
     summary.radar = facts_of(experiment);
     summary.warnings = warnings_of(experiment, catalogue.materials);
+    warn_of_weak_echoes(recordings, experiment, run, summary.warnings);
     summary.seed = run.seed;
     summary.version = program_version;
     summary.command = request.command;

@@ -188,6 +188,21 @@ TEST_CASE("a study says which materials it uses outside their band", "[study]") 
     CHECK(content_of(folder / "out/report.html").find("brick: valid from") != std::string::npos);
 }
 
+TEST_CASE("a study says how many of its echoes are too weak for physical optics", "[study]") {
+    const MadeUpFolder folder;
+    StudyRequest request;
+    request.experiment_file =
+        folder.with("toy.toml", edited(toy_experiment, "height_mm = [350, 550]",
+                                       "tilt_deg = [-25, 25]\ntilted = \"sample\""));
+    request.out = folder / "out";
+    // The foot of 19 cm is far off sheets of 6 cm; straight from above, toy() has no such warning.
+    const StudySummary tilted = run_study(request, catalogue());
+    REQUIRE(tilted.warnings.size() == toy().summary.warnings.size() + 1);
+    CHECK(tilted.warnings.back().rfind("Height: 8 of 8 sessions have an echo 15 dB or more", 0) ==
+          0);  // worlds x classes x tilts
+    CHECK(content_of(folder / "out/report.html").find("8 of 8 sessions") != std::string::npos);
+}
+
 TEST_CASE("a folder that cannot be made is named", "[study]") {
     const MadeUpFolder folder;
     StudyRequest request;
