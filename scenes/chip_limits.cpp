@@ -103,6 +103,12 @@ std::optional<LimitBreach> limit_breach(const ChipLimits& limits, const Chirp& c
                            format("{} takes {:.0f} to {:.0f} samples of a chirp", chip,
                                   limits.n_samples->low, limits.n_samples->high),
                            "choose a number between"};
+    if (chirp.tx_on_s >= chirp.ramp_end_s)
+        return LimitBreach{"tx_on",
+                           format("the TX would start to send at {:.4g} us, behind the ramp's end "
+                                  "at {:.4g} us",
+                                  chirp.tx_on_s * 1e6, chirp.ramp_end_s * 1e6),
+                           "let it start earlier"};
     if (limits.ramp_max_s && chirp.ramp_end_s > *limits.ramp_max_s)
         return LimitBreach{"ramp_end",
                            format("is longer than the longest ramp of {}, {:.4g} us", chip,

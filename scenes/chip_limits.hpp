@@ -33,7 +33,7 @@ struct ChipLimits {
 /// A setting that the chip does not have.
 struct LimitBreach {
     std::string
-        setting;  ///< start, slope, sample_rate, n_samples, ramp_end, gain, high_pass, sampling
+        setting;  ///< start, slope, sample_rate, n_samples, tx_on, ramp_end, gain, high_pass, sampling
     std::string problem;  ///< names the limit
     std::string remedy;
 };

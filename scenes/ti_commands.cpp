@@ -103,7 +103,9 @@ void TiCommand::fail(std::size_t i, const std::string& what, const std::string& 
 TiCommandFile TiCommandFile::read(const std::filesystem::path& path) {
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(path, ignored))
-        throw InputError(path.string() + ": no such file; check the path");
+        throw InputError(path.string() + (std::filesystem::exists(path, ignored)
+                                              ? ": is no file; name a .cfg"
+                                              : ": no such file; check the path"));
     if (std::filesystem::file_size(path, ignored) > (1u << 20))
         throw InputError(path.string() + ": is larger than 1 MiB; a .cfg is text of a few kB");
     std::ifstream in(path, std::ios::binary);
@@ -115,7 +117,9 @@ TiCommandFile TiCommandFile::read(const std::filesystem::path& path) {
 TiCommandFile TiCommandFile::parse(const std::string& text, const std::string& name) {
     TiCommandFile result;
     result.file = name;
-    std::istringstream lines(text);
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    std::istringstream lines(text.starts_with(byte_order_mark) ? text.substr(byte_order_mark.size())
+                                                               : text);
     std::string line;
     for (int number = 1; std::getline(lines, line); ++number) {
         line = line.substr(0, line.find('%'));

@@ -1,5 +1,6 @@
 #include "scenes/ti_config.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -40,6 +41,9 @@ void place_antennas(Radar& radar, const TiCommand& command) {
         return warn(radar, command, "does not fit the board's antennas and has no effect");
     const double column_m = 1e-3 * command.number_or(2 * n_virtual, "dx", 0.0);
     const double row_m = 1e-3 * command.number_or(2 * n_virtual + 1, "dz", 0.0);
+    constexpr double widest_pitch_m = 0.05;  // ten wavelengths; the board is not much wider
+    if (std::max(std::abs(column_m), std::abs(row_m)) > widest_pitch_m)
+        warn(radar, command, "puts antennas more than 50 mm apart; the pitch is in mm");
     const auto from_first = [&](std::size_t antenna) {
         const auto at = [&](std::size_t i) { return command.number_or(i, "row or column", 0.0); };
         return Vector3((at(2 * antenna + 1) - at(1)) * column_m, (at(2 * antenna) - at(0)) * row_m,
@@ -104,11 +108,36 @@ void set_timing(Radar& radar, const TiCommand& command) {
     chirp.skip_samples = command.whole_or(1, "chirpAdcSkipSamples", chirp.skip_samples);
     chirp.slope_hz_s = 1e12 * command.number_or(3, "chirpSlope", chirp.slope_hz_s * 1e-12);
     chirp.start_hz = 1e9 * command.number_or(4, "chirpRfFreqStart", chirp.start_hz * 1e-9);
+    // Where the TX begins before the ramp, it is there from the ramp's start.
+    chirp.tx_on_s = std::max(0.0, 1e-6 * command.number_or(2, "chirpTxStartTime", 0.0));
     if (chirp.idle_s < 0.0) command.fail(0, "chirpIdleTime", "is below 0", "give it in us");
     if (chirp.skip_samples < 0 || chirp.skip_samples > 1024)
         command.fail(1, "chirpAdcSkipSamples", "is out of range", "give 0 to 1024");
     if (chirp.slope_hz_s <= 0.0)
         command.fail(3, "chirpSlope", "is not simulated: ramps rise here", "give it above 0");
+}
+
+struct Bursts {
+    int chirps = 1;  ///< in each
+    int bursts = 1;  ///< in a frame
+    double burst_s = 0.0;
+};
+
+/// Chirps must fit their burst, bursts their frame; a period of 0 or none is not checked.
+void check_periods(const Radar& radar, const TiCommand& command, const Bursts& frame) {
+    const double chirps_s = frame.chirps * (radar.chirp.idle_s + radar.chirp.ramp_end_s);
+    if (frame.burst_s > 0.0 && frame.burst_s < chirps_s)
+        command.fail(2, "burstPeriodicity",
+                     format("is shorter than its {} chirps, {:.4g} us", frame.chirps,
+                            chirps_s * 1e6),
+                     "lengthen it or send fewer chirps");
+    const double frame_s = 1e-3 * command.number_or(4, "framePeriodicity", 0.0);
+    const double bursts_s = frame.bursts * std::max(frame.burst_s, chirps_s);
+    if (frame_s > 0.0 && frame_s < bursts_s)
+        command.fail(4, "framePeriodicity",
+                     format("is shorter than its {} bursts, {:.4g} ms", frame.bursts,
+                            bursts_s * 1e3),
+                     "lengthen it or send fewer bursts");
 }
 
 void set_frame(Radar& radar, const TiCommand& command) {
@@ -131,6 +160,7 @@ void set_frame(Radar& radar, const TiCommand& command) {
         warn(radar, command,
              format("{} chirps are averaged on the chip; noise is that of one", accumulated));
     const double burst_s = 1e-6 * command.number_or(2, "burstPeriodicity", 0.0);
+    check_periods(radar, command, {.chirps = in_burst, .bursts = bursts, .burst_s = burst_s});
     if (bursts == 1) return;
     if (in_burst == 1 && burst_s >= radar.chirp.ramp_end_s)
         radar.chirp.idle_s = burst_s - radar.chirp.ramp_end_s;
@@ -171,6 +201,7 @@ constexpr SettingPlace setting_places[] = {
     {"slope", "chirpTimingCfg", 3, "chirpSlope"},
     {"sample_rate", "chirpComnCfg", 0, "digOutputSampRate"},
     {"n_samples", "chirpComnCfg", 3, "numOfAdcSamples"},
+    {"tx_on", "chirpTimingCfg", 2, "chirpTxStartTime"},
     {"ramp_end", "chirpComnCfg", 5, "chirpRampEndTime"},
     {"gain", "factoryCalibCfg", 2, "rxGain"},
     {"high_pass", "chirpComnCfg", 6, "chirpRxHpfSel"},

@@ -92,20 +92,34 @@ std::filesystem::path folder_of(const std::filesystem::path& file) {
     return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
 }
 
+/// Where the content of `name` is to lie: a link leads on to what it names.
+std::filesystem::path place_of(const std::filesystem::path& name) {
+    std::error_code error;
+    const auto status = std::filesystem::status(name, error);
+    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+        throw InputError(name.string() + ": is there, and is no file; give another name");
+    if (!std::filesystem::is_symlink(std::filesystem::symlink_status(name, error))) return name;
+    const auto place = std::filesystem::weakly_canonical(name, error);
+    if (error) fail(name, "cannot follow", error.value());
+    return place;
+}
+
 }  // namespace
 
 void write_file_atomically(const std::filesystem::path& file, std::string_view content) {
+    const std::filesystem::path place = place_of(file);
     std::error_code error;
-    std::filesystem::create_directories(folder_of(file), error);
-    if (error) fail(folder_of(file), "cannot create", error.value());
-    Draft draft(file);
+    std::filesystem::create_directories(folder_of(place), error);
+    if (error) fail(folder_of(place), "cannot create", error.value());
+    Draft draft(place);
     draft.write(content);
     draft.close_on_disk();
-    draft.put_in_place(file);
-    sync_folder(folder_of(file));
+    draft.put_in_place(place);
+    sync_folder(folder_of(place));
 }
 
 void publish_file(const std::filesystem::path& draft, const std::filesystem::path& file) {
+    const std::filesystem::path place = place_of(file);
     const int descriptor =
         uninterrupted([&] { return ::open(draft.c_str(), O_RDONLY | O_CLOEXEC); });
     if (descriptor == -1) fail(draft, "cannot open", errno);
@@ -113,8 +127,8 @@ void publish_file(const std::filesystem::path& draft, const std::filesystem::pat
     const int error = errno;
     ::close(descriptor);
     if (result == -1) fail(draft, "cannot bring to the disk", error);
-    if (::rename(draft.c_str(), file.c_str()) == -1) fail(file, "cannot replace", errno);
-    sync_folder(folder_of(file));
+    if (::rename(draft.c_str(), place.c_str()) == -1) fail(place, "cannot replace", errno);
+    sync_folder(folder_of(place));
 }
 
 }  // namespace specula

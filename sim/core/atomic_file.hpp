@@ -9,12 +9,13 @@ namespace specula {
 /// the old content or the new one, never a part.
 ///
 /// The content goes to a new file beside it, to the disk, then under the name; mode 0666 less the
-/// umask. A missing folder is made; a symbolic link of that name is replaced, not followed.
-/// Throws SystemError `path: what failed: reason`; nothing is left behind.
+/// umask. A missing folder is made; a symbolic link is followed, so that what it names is replaced.
+/// Throws InputError where something of that name is no file (a folder, a device, a pipe), and
+/// SystemError `path: what failed: reason`; nothing is left behind.
 void write_file_atomically(const std::filesystem::path& file, std::string_view content);
 
 /// Gives a finished and closed file its final name, in the same folder, with the same promise; for
-/// libraries that write files themselves. Throws SystemError; `draft` is then still there.
+/// libraries that write files themselves. Throws as above; `draft` is then still there.
 void publish_file(const std::filesystem::path& draft, const std::filesystem::path& file);
 
 }  // namespace specula

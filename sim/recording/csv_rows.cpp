@@ -68,6 +68,21 @@ class Lines {
     std::size_t at_ = 0;
 };
 
+bool is_number(const std::string& cell) {
+    double ignored = 0.0;
+    const auto result = std::from_chars(cell.data(), cell.data() + cell.size(), ignored);
+    return result.ec == std::errc{} && result.ptr == cell.data() + cell.size();
+}
+
+void check_names(std::vector<std::string> names) {
+    if (std::ranges::all_of(names, is_number))
+        fail_at(0, "the first row holds numbers only", "put a row of column names before it");
+    std::ranges::sort(names);
+    const auto twice = std::ranges::adjacent_find(names);
+    if (twice != names.end())
+        fail_at(0, format("two columns are called \"{}\"", *twice), "give each its own name");
+}
+
 }  // namespace
 
 CsvRows read_csv(Bytes bytes) {
@@ -78,6 +93,7 @@ CsvRows read_csv(Bytes bytes) {
     Lines lines(text);
     if (!lines.more()) fail_at(0, "the table is empty", "write column names and rows");
     table.columns = lines.next();
+    check_names(table.columns);
     while (lines.more()) {
         table.offset.push_back(lines.at());
         table.rows.push_back(lines.next());

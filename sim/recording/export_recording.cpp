@@ -21,7 +21,7 @@ namespace {
 struct Outgoing {
     const Dataset& dataset;
     const fs::path& out;
-    const InfineonConfig& chirp;
+    const SentChirps& chirps;
 };
 
 CodeCube cube_of(const Dataset& dataset) {
@@ -89,12 +89,17 @@ std::vector<ExportedFile> export_rdif(const Outgoing& o) {
 std::vector<ExportedFile> export_injection(const Outgoing& o) {
     refuse_complex(o.dataset, "injection");
     const CodeCube cube = cube_of(o.dataset);
+    const std::size_t n_tx = o.chirps.n_tx;
+    if (cube.n_chirps % n_tx != 0)
+        throw InputError(format("{} chirps of a frame are no whole number for each of {} TX; name "
+                                "the radar that sent them",
+                                cube.n_chirps, n_tx));
     return {{o.out, write_adc_injection({.n_samples = cube.n_samples,
-                                         .n_virtual = cube.n_rx,
-                                         .n_chirps = cube.n_chirps,
+                                         .n_virtual = cube.n_rx * n_tx,
+                                         .n_chirps = cube.n_chirps / n_tx,
                                          .n_frames = cube.n_frames,
                                          .codes = cube.in_phase})},
-            manifest_beside(o, "")};
+            manifest_beside(o, n_tx == 1 ? "" : format("\n[layout]\ntx = {}\n", n_tx))};
 }
 
 std::string npy_of_features(const Dataset& dataset) {
@@ -125,7 +130,7 @@ std::vector<ExportedFile> export_infineon(const Outgoing& o) {
                 format("code {}: is below the 12 bits of the format; use adc or npy", code));
         append_number(data, static_cast<std::uint64_t>(stored), 2);
     }
-    InfineonConfig config = o.chirp;
+    InfineonConfig config = o.chirps.infineon;
     config.n_chirps = cube.n_chirps;
     config.n_samples = cube.n_samples;
     config.n_rx = cube.n_rx;
@@ -215,12 +220,12 @@ bool carries_features(const std::string& format) {
 }
 
 std::vector<ExportedFile> export_recording(const std::string& format_name, const Dataset& dataset,
-                                           const fs::path& out, const InfineonConfig& chirp) {
+                                           const fs::path& out, const SentChirps& chirps) {
     const auto found = std::ranges::find(formats(), format_name, &Format::name);
     if (found == formats().end())
         throw InputError(
             format("\"{}\": no such format; use {}", format_name, quoted_list(export_formats())));
-    return found->write({dataset, out, chirp});
+    return found->write({dataset, out, chirps});
 }
 
 }  // namespace specula

@@ -120,10 +120,20 @@ void import_injection(const fs::path& input, const RecordingManifest& manifest, 
             format("byte 4: numVirtualAntennas = {}: is no multiple of tx = {}; give "
                    "the right tx",
                    injection.n_virtual, n_tx));
-    take_cube(arrange(injection.codes, {{"frame", "chirp", "tx", "rx", "sample"},
-                                        {injection.n_frames, injection.n_chirps, n_tx,
+    // The TX take turns: a frame's chirps are those that are sent.
+    take_cube(arrange(injection.codes, {{"frame", "chirp", "rx", "sample"},
+                                        {injection.n_frames, injection.n_chirps * n_tx,
                                          injection.n_virtual / n_tx, injection.n_samples}}),
               draft);
+}
+
+/// What `work` returns; its complaints begin with the name of a part of the input.
+auto inside(const std::string& name, auto work) {
+    try {
+        return work();
+    } catch (const InputError& error) {
+        throw InputError(name + ": " + error.what());
+    }
 }
 
 void take_array(const NpyArray& array, const RecordingManifest& manifest, Draft& draft) {
@@ -148,17 +158,8 @@ void import_npz(const fs::path& input, const RecordingManifest& manifest, Draft&
                    "name one of {}",
                    manifest.member, quoted_list(archive.names())));
     const std::vector<std::uint8_t> array = archive.extract(member);
-    take_array(read_npy(array), manifest, draft);
+    inside(member, [&] { take_array(read_npy(array), manifest, draft); });
     draft.columns = label_members(archive, manifest, draft.dataset.n_frames(), draft.n_recordings);
-}
-
-/// What `work` returns; its complaints begin with the name of a file in the input's folder.
-auto inside(const std::string& name, auto work) {
-    try {
-        return work();
-    } catch (const InputError& error) {
-        throw InputError(name + ": " + error.what());
-    }
 }
 
 void import_infineon(const fs::path& input, const RecordingManifest& manifest, Draft& draft) {
@@ -200,15 +201,43 @@ void import_csv(const fs::path& input, const RecordingManifest& manifest, Draft&
 struct ImportFormat {
     std::string name;
     void (*import)(const fs::path&, const RecordingManifest&, Draft&);
+    std::vector<std::string> takes;  ///< what of a manifest it makes use of; see given_in
 };
 const std::vector<ImportFormat>& import_formats() {
     static const std::vector<ImportFormat> all{
-        {"adc", import_adc},   {"dca1000", import_dca1000},
-        {"rdif", import_rdif}, {"injection", import_injection},
-        {"uart", import_uart}, {"infineon", import_infineon},
-        {"npy", import_npy},   {"npz", import_npz},
-        {"csv", import_csv}};
+        {"adc", import_adc, {"axes", "packing", "trust_axes"}},
+        {"dca1000", import_dca1000, {"axes", "packing", "packets", "trust_axes"}},
+        {"rdif", import_rdif, {"axes", "packets", "trust_axes"}},
+        {"injection", import_injection, {}},
+        {"uart", import_uart, {}},
+        {"infineon", import_infineon, {}},
+        {"npy", import_npy, {"axes", "wrapped", "trust_axes"}},
+        {"npz", import_npz, {"axes", "wrapped", "trust_axes", "member", "[labels]"}},
+        {"csv", import_csv, {"features", "[labels]"}}};
     return all;
+}
+
+/// The parts of a manifest that only some formats have a use for.
+std::vector<std::string> given_in(const RecordingManifest& manifest) {
+    std::vector<std::string> given;
+    if (!manifest.axes.empty()) given.emplace_back("axes");
+    if (manifest.packing) given.emplace_back("packing");
+    if (manifest.packets) given.emplace_back("packets");
+    if (manifest.trust_axes) given.emplace_back("trust_axes");
+    if (manifest.wrapped) given.emplace_back("wrapped");
+    if (!manifest.member.empty()) given.emplace_back("member");
+    if (!manifest.features.empty()) given.emplace_back("features");
+    if (!manifest.columns.empty()) given.emplace_back("[labels]");
+    return given;
+}
+
+void check_taken(const ImportFormat& format_of, const RecordingManifest& manifest) {
+    for (const std::string& what : given_in(manifest))
+        if (std::ranges::count(format_of.takes, what) == 0)
+            throw InputError(
+                format("{} in its manifest: means nothing for {}, which has no such thing; leave "
+                       "it out{}",
+                       what, format_of.name, what == "[labels]" ? " and give parts" : ""));
 }
 
 }  // namespace
@@ -224,7 +253,8 @@ const std::vector<std::string>& recording_formats() {
 
 std::string guessed_format(const fs::path& input) {
     std::error_code ignored;
-    if (fs::is_directory(input, ignored)) return "infineon";
+    if (fs::is_directory(input, ignored))
+        return fs::exists(input / "config.json", ignored) ? "infineon" : "";
     const std::string extension = input.extension().string();
     return extension == ".npy" || extension == ".npz" || extension == ".csv" ? extension.substr(1)
                                                                              : "";
@@ -245,6 +275,7 @@ ImportedRecording import_recording(const std::string& format_name, const fs::pat
                             .bin_m = manifest.bin_m,
                             .source = "import " + format_name};
     try {
+        check_taken(*found, manifest);
         found->import(input, manifest, draft);
         apply_labels(manifest, draft.columns, draft.n_recordings, draft.dataset);
     } catch (const InputError& error) {

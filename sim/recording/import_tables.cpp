@@ -10,6 +10,13 @@ namespace {
 
 constexpr std::size_t most_features = 4096;
 
+std::size_t frame_jumps(const UartStream& stream) {
+    std::size_t jumps = 0;
+    for (std::size_t i = 1; i < stream.frames.size(); ++i)
+        if (stream.frames[i].number != stream.frames[i - 1].number + 1) ++jumps;
+    return jumps;
+}
+
 std::vector<std::string> notes_on(const UartStream& stream, std::size_t n_without_profile) {
     std::vector<std::string> notes;
     if (!stream.gaps.empty()) {
@@ -20,6 +27,11 @@ std::vector<std::string> notes_on(const UartStream& stream, std::size_t n_withou
                    "{}: {}",
                    bytes, stream.gaps.size(), stream.gaps[0].offset, stream.gaps[0].reason));
     }
+    if (const std::size_t jumps = frame_jumps(stream); jumps > 0)
+        notes.push_back(
+            format("frame numbers do not count on in {} places: packets were lost, or the sensor "
+                   "was started again",
+                   jumps));
     if (n_without_profile > 0)
         notes.push_back(
             format("{} packets have no range profile and are left out", n_without_profile));

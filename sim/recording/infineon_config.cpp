@@ -67,10 +67,13 @@ InfineonConfig read_infineon_config(const std::string& text) {
 std::string write_infineon_config(const InfineonConfig& config) {
     Json antennas = Json::array();
     for (std::size_t rx = 1; rx <= config.n_rx; ++rx) antennas.push_back(rx);
-    const Json shape{
+    Json shape{
         {"num_chirps_per_frame", config.n_chirps}, {"num_samples_per_chirp", config.n_samples},
         {"start_frequency_Hz", config.start_hz},   {"end_frequency_Hz", config.end_hz},
         {"sample_rate_Hz", config.sample_rate_hz}, {"rx_antennas", antennas}};
+    if (config.chirp_repetition_s > 0.0)
+        shape["chirp_repetition_time_s"] = config.chirp_repetition_s;
+    if (config.high_pass_hz > 0.0) shape["hp_cutoff_Hz"] = config.high_pass_hz;
     return Json{{"device_config", {{"fmcw_single_shape", shape}}}}.dump(4) + "\n";
 }
 

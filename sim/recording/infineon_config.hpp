@@ -11,6 +11,7 @@ inline constexpr int infineon_mid_scale = 2048;
 struct InfineonConfig {
     std::size_t n_chirps = 0, n_samples = 0, n_rx = 0;
     double start_hz = 0.0, end_hz = 0.0, sample_rate_hz = 0.0;
+    double chirp_repetition_s = 0.0, high_pass_hz = 0.0;  ///< 0: unknown
 
     /// c / (2 B), B the band that the samples sweep.
     double bin_m() const;

@@ -137,6 +137,7 @@ RecordingManifest read_manifest(Section section, const Catalogue& catalogue) {
 
 std::string manifest_of(const Dataset& dataset, const std::string& layout) {
     std::string text =
+        std::string(manifest_first_line) +
         format("condition = {}\nradar = {}\nrange_bin_m = {}\nsample_axis = {}\n",
                quoted(dataset.origin.condition), quoted(dataset.origin.radar), dataset.origin.bin_m,
                dataset.sample_axis == SampleAxis::range ? "\"range\"" : "\"beat\"");

@@ -47,6 +47,9 @@ struct RecordingManifest {
 /// Throws InputError for unknown keys, impossible values, parts that overlap.
 RecordingManifest read_manifest(Section section, const Catalogue& catalogue);
 
+/// How manifests begin that manifest_of makes.
+inline constexpr std::string_view manifest_first_line = "# Written by specula export.\n";
+
 /// The manifest that brings classes and groups of a dataset back from a file without any; of its
 /// truth, nothing.
 /// @in  layout  text of a [layout] section where the format does not say it; or empty

@@ -117,14 +117,26 @@ TEST_CASE("a missing folder is made, a name below a file is refused", "[atomic f
           (folder / "new" / "deep" / "x").string() + ": cannot create: Not a directory");
 }
 
-TEST_CASE("a symbolic link is replaced, and what it pointed to is left alone", "[atomic file]") {
+TEST_CASE("a symbolic link stays one, and what it names is replaced", "[atomic file]") {
     const TemporaryFolder folder;
     write_file_atomically(folder / "target", "old");
     std::filesystem::create_symlink(folder / "target", folder / "link");
     write_file_atomically(folder / "link", "new");
-    CHECK_FALSE(std::filesystem::is_symlink(folder / "link"));
-    CHECK(content_of(folder / "link") == "new");
-    CHECK(content_of(folder / "target") == "old");
+    CHECK(std::filesystem::is_symlink(folder / "link"));
+    CHECK(content_of(folder / "target") == "new");
+    CHECK(n_entries(folder.path()) == 2);
+}
+
+TEST_CASE("what is no file is not replaced by one", "[atomic file]") {
+    const TemporaryFolder folder;
+    REQUIRE(::mkfifo((folder / "pipe").c_str(), 0600) == 0);
+    std::filesystem::create_directory(folder / "folder");
+    for (const char* name : {"pipe", "folder"}) {
+        CHECK_THROWS_AS(write_file_atomically(folder / name, "x"), InputError);
+        write_file_atomically(folder / "draft", "x");
+        CHECK_THROWS_AS(publish_file(folder / "draft", folder / name), InputError);
+        CHECK_FALSE(std::filesystem::is_regular_file(folder / name));
+    }
 }
 
 TEST_CASE("a published file has its content under its final name only", "[atomic file]") {

@@ -146,12 +146,28 @@ TEST_CASE("wrong types and impossible chirps are errors with the line", "[ti_con
           std::string::npos);
     CHECK(error_with("frameCfg 2 0 403 1", "frameCfg 3 0 403 1").find("each of 2 TX") !=
           std::string::npos);
+    CHECK(error_with("6 28 0 150 57.5", "6 28 40 150 57.5")
+              .find("chirpTimingCfg chirpTxStartTime = 40: the TX would start to send at 40 us") !=
+          std::string::npos);
+    CHECK(error_with("frameCfg 2 0 403 1", "frameCfg 64 0 300 2")
+              .find("burstPeriodicity = 300: is shorter than its 64 chirps, 2496 us") !=
+          std::string::npos);
+    CHECK(error_with("frameCfg 2 0 403 1 100 0", "frameCfg 2 0 403 1 0.4 0")
+              .find("framePeriodicity = 0.4: is shorter than its 1 bursts, 0.403 ms") !=
+          std::string::npos);
     CHECK(error_with("channelCfg 7 3 0", "channelCfg 8 3 0").find("mask of 1 to 7") !=
           std::string::npos);
     CHECK(error_with("chirpComnCfg 20 0 0 128 1 33 0\n", "").find("chirpComnCfg: is missing") !=
           std::string::npos);
     CHECK(message_of([] { return read_ti_config("nowhere.cfg", board); }).find("no such file") !=
           std::string::npos);
+}
+
+TEST_CASE("a byte order mark is no command, and a pitch of metres warns", "[ti_config]") {
+    CHECK(read("\xEF\xBB\xBF" + demo).warnings.empty());
+    const auto warnings = read(edited(demo, "2.5 2.6", "2500 2.6")).warnings;
+    REQUIRE(warnings.size() == 1);
+    CHECK(warnings[0].find("the pitch is in mm") != std::string::npos);
 }
 
 TEST_CASE("garbage is refused or warned about, never taken", "[ti_config]") {

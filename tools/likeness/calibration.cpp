@@ -14,6 +14,7 @@ namespace {
 
 constexpr double rounding_lsb2 = 1.0 / 12.0;
 constexpr int quiet_width = 7;  // bins
+constexpr double most_saturated = 0.01;  // a fit takes codes for what was received
 
 /// The quietest stretch of bins between the leakage and the end of the filter's pass band.
 int quietest_bin(const std::vector<double>& noise_lsb, const Radar& radar, double reach_m) {
@@ -87,6 +88,33 @@ void set_noise(Radar& radar, const std::vector<NoiseFit>& noise) {
     radar.receiver.adc_noise_lsb = std::sqrt(behind);
 }
 
+/// Codes that no scene explains: beyond the ADC, at its ends, or always the same.
+void check_codes(const ChirpSeries& series, const Radar& radar) {
+    const auto full = static_cast<int>(radar.adc_full_scale_lsb());
+    std::size_t at_ends = 0;
+    for (const std::int16_t code : series.codes) {
+        if (code < -full || code >= full)
+            throw InputError(format("code {}: is beyond the {} bits of radar {}; name the radar "
+                                    "that it was made with",
+                                    code, radar.receiver.adc_bits, radar.name));
+        if (code == -full || code == full - 1) ++at_ends;
+    }
+    const double share = static_cast<double>(at_ends) / static_cast<double>(series.codes.size());
+    if (share > most_saturated)
+        throw InputError(format("{:.1f} % of the codes are at the ends of the ADC; record with "
+                                "less gain or without what reflects so much",
+                                100.0 * share));
+    for (int rx = 0; rx < series.n_rx; ++rx) {
+        const std::int16_t first = series.chirp(0, rx)[0];
+        bool changes = false;
+        for (std::size_t i = 0; i < series.n_chirps() && !changes; ++i)
+            changes = !std::all_of(series.chirp(i, rx), series.chirp(i, rx) + series.n_samples,
+                                   [&](std::int16_t code) { return code == first; });
+        if (!changes)
+            throw InputError(format("RX {}: every code is {}; is the receiver on?", rx, first));
+    }
+}
+
 void check_fits(const ChirpSeries& series, const Radar& radar) {
     if (series.n_rx != static_cast<int>(radar.rx.size()) ||
         series.n_samples != radar.chirp.n_samples)
@@ -100,6 +128,7 @@ void check_fits(const ChirpSeries& series, const Radar& radar) {
     if (radar.n_tx() > 1)
         throw InputError(format("radar {} has {} TX; calibrate with a recording of one", radar.name,
                                 radar.n_tx()));
+    check_codes(series, radar);
     if (series.n_chirps() < 3)
         throw InputError(
             format("the recording has {} chirps; record three or more, so that noise "

@@ -55,6 +55,11 @@ void ExplainedSpace::add(std::vector<double> column) {
     axes_.push_back(std::move(column));
 }
 
+double ExplainedSpace::length_beyond(std::vector<double> column) const {
+    remove_from(column);
+    return std::sqrt(dot(column, column));
+}
+
 double ExplainedSpace::gain(std::vector<double> first, std::vector<double> second,
                             const std::vector<double>& residual) const {
     constexpr double least_new_share = 0.05;

@@ -25,6 +25,9 @@ class ExplainedSpace {
     double gain(std::vector<double> first, std::vector<double> second,
                 const std::vector<double>& residual) const;
 
+    /// Length of the part of a column that lies outside this space.
+    double length_beyond(std::vector<double> column) const;
+
   private:
     void remove_from(std::vector<double>& column) const;
     Columns axes_;

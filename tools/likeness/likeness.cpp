@@ -13,23 +13,6 @@ namespace {
 
 constexpr std::size_t most_chirps = 512;
 
-constexpr const char* noise_reason =
-    "One noise figure serves all RX, and the recording's noise is not white: it falls towards bin "
-    "0 and "
-    "beyond the pass band.";
-constexpr const char* moving_reason =
-    "The recorded scene moves, so that echoes beyond the board spread and fade; the simulated room "
-    "stands still as it was in one chirp.";
-constexpr const char* start_reason =
-    "The impulse response of the decimation filter is taken for a tapered sinc, and real edges are "
-    "softer where the TX begins to send.";
-constexpr const char* histogram_reason =
-    "A percentile near zero: 20 % of it are a few LSB of codes that span hundreds.";
-constexpr const char* leakage_reason =
-    "Few tones per RX stand for all coupling of board and package; bins that hold little of it "
-    "keep "
-    "what the tones leave, and the room's own near end.";
-
 /// What the board alone gives, without noise and rounding.
 std::vector<double> board_chirp(const Radar& radar, const BeatSignal& leakage, int rx) {
     const ReceiverChain chain(radar);
@@ -96,12 +79,6 @@ ChirpSeries simulated_like(const ChirpSeries& first_half, const Radar& given, st
     return series;
 }
 
-double root_mean_square(const std::vector<double>& values, std::size_t first, std::size_t end) {
-    double sum = 0.0;
-    for (std::size_t i = first; i < end; ++i) sum += values[i] * values[i];
-    return std::sqrt(sum / static_cast<double>(end - first));
-}
-
 std::vector<double> sorted_codes(const ChirpSeries& series, int rx) {
     std::vector<double> codes;
     for (std::size_t i = 0; i < series.n_chirps(); ++i)
@@ -109,11 +86,6 @@ std::vector<double> sorted_codes(const ChirpSeries& series, int rx) {
     std::sort(codes.begin(), codes.end());
     return codes;
 }
-
-/// All that is asked of one RX's chirps.
-struct Portrait {
-    std::vector<double> mean_chirp, mean_spectrum, leakage, noise, codes;
-};
 
 Portrait portrait_of(const ChirpSeries& series, const Radar& radar, int rx) {
     Portrait portrait;
@@ -123,60 +95,6 @@ Portrait portrait_of(const ChirpSeries& series, const Radar& radar, int rx) {
     portrait.noise = noise_per_bin_lsb(series, rx, first_settled_sample(radar.chirp));
     portrait.codes = sorted_codes(series, rx);
     return portrait;
-}
-
-/// Writes rows of one RX, each a function of both portraits.
-class RowWriter {
-  public:
-    RowWriter(std::vector<LikenessRow>& rows, int rx, const Portrait& recorded,
-              const Portrait& simulated)
-        : rows_(rows), rx_(rx), recorded_(recorded), simulated_(simulated) {}
-
-    template <typename Measure>
-    void add(const std::string& quantity, const char* unit, const char* reason,
-             const Measure& measure) {
-        rows_.push_back({quantity, unit, rx_, measure(recorded_), measure(simulated_), reason});
-    }
-
-  private:
-    std::vector<LikenessRow>& rows_;
-    int rx_;
-    const Portrait& recorded_;
-    const Portrait& simulated_;
-};
-
-void add_rows(RowWriter& writer, const Radar& radar) {
-    const auto last = static_cast<std::size_t>(radar.chirp.pass_band * radar.chirp.n_samples);
-    const std::size_t quiet = 8, quiet_end = 15, near_end = 7;
-    writer.add("noise, bins 8 to 14", "LSB rms", noise_reason,
-               [&](const Portrait& p) { return root_mean_square(p.noise, quiet, quiet_end); });
-    writer.add("high-pass slope: noise of bins 2 to 4 over 8 to 14", "", noise_reason,
-               [&](const Portrait& p) {
-                   return root_mean_square(p.noise, 2, 5) /
-                          root_mean_square(p.noise, quiet, quiet_end);
-               });
-    writer.add("mean code (DC)", "LSB", leakage_reason, [](const Portrait& p) {
-        double sum = 0.0;
-        for (const double code : p.codes) sum += code;
-        return sum / static_cast<double>(p.codes.size());
-    });
-    for (std::size_t bin = 0; bin < near_end; ++bin)
-        writer.add(format("leakage, bin {}", bin), "LSB", leakage_reason,
-                   [&](const Portrait& p) { return p.leakage[bin]; });
-    const int before = std::max(0, -radar.chirp.settle_samples());
-    for (int n = 0; n <= before; ++n)
-        writer.add(format("start-up, sample {}", n), "LSB", start_reason,
-                   [&](const Portrait& p) { return p.mean_chirp[static_cast<std::size_t>(n)]; });
-    for (const int percent : {5, 25, 50, 75, 95})
-        writer.add(format("amplitude histogram, {} % below", percent), "LSB", histogram_reason,
-                   [&](const Portrait& p) {
-                       return p.codes[p.codes.size() * static_cast<std::size_t>(percent) / 100];
-                   });
-    const std::size_t bands[][2] = {{7, 15}, {15, 31}, {31, 61}, {61, last}};
-    for (const auto& [first, end] : bands)
-        writer.add(
-            format("spectrum, bins {} to {}", first, end - 1), "LSB", moving_reason,
-            [&](const Portrait& p) { return root_mean_square(p.mean_spectrum, first, end); });
 }
 
 std::vector<double> in_db(const std::vector<double>& amplitudes) {
@@ -213,11 +131,6 @@ LikenessCurves curves_of(const Portrait& recorded, const Portrait& simulated) {
 
 }  // namespace
 
-bool LikenessRow::is_alike() const {
-    const double one_code = unit == "LSB" ? 1.0 : 0.0;
-    return std::abs(simulated - recorded) <= std::max(0.2 * std::abs(recorded), one_code);
-}
-
 Likeness compare_with_recording(const ChirpSeries& recording, const Radar& radar,
                                 std::uint64_t seed, std::atomic<std::size_t>* done) {
     const std::size_t half = recording.n_chirps() / 2;
@@ -227,14 +140,14 @@ Likeness compare_with_recording(const ChirpSeries& recording, const Radar& radar
     const ChirpSeries simulated = simulated_like(first, radar, judged.n_chirps(), seed);
     Likeness likeness;
     likeness.n_chirps = judged.n_chirps();
+    std::vector<Portrait> real, made;
     for (int rx = 0; rx < recording.n_rx; ++rx) {
-        const Portrait real = portrait_of(judged, radar, rx);
-        const Portrait made = portrait_of(simulated, radar, rx);
-        RowWriter writer(likeness.rows, rx, real, made);
-        add_rows(writer, radar);
-        likeness.curves.push_back(curves_of(real, made));
+        real.push_back(portrait_of(judged, radar, rx));
+        made.push_back(portrait_of(simulated, radar, rx));
+        likeness.curves.push_back(curves_of(real.back(), made.back()));
         if (done != nullptr) ++*done;
     }
+    likeness.rows = likeness_rows(real, made, radar);
     return likeness;
 }
 

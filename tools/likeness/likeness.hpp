@@ -3,22 +3,10 @@
 #include <atomic>
 #include <string>
 
+#include "tools/likeness/likeness_rows.hpp"
 #include "tools/likeness/recording_statistics.hpp"
 
 namespace specula {
-
-/// One number of the recording beside that of the simulation.
-struct LikenessRow {
-    std::string quantity;
-    std::string unit;
-    int rx = 0;
-    double recorded = 0.0;
-    double simulated = 0.0;
-    std::string reason;  ///< why they may differ; shown where they do
-
-    /// Within 20 %, or within what one code can tell.
-    bool is_alike() const;
-};
 
 /// What the figure shows of one RX, recorded and simulated.
 struct LikenessCurves {

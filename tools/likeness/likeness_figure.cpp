@@ -18,26 +18,30 @@ struct Panel {
     const char* settings;
 };
 constexpr Panel panels[] = {
+    {"start", "sample", "mean code (LSB)", "set xrange [0:24]\nset yrange [*:*]\n"},
     {"chirp", "sample", "mean code (LSB)", "set xrange [0:*]\nset yrange [*:*]\n"},
     {"spectrum", "range bin", "dB over 1 LSB", "set xrange [0:*]\nset yrange [-20:*]\n"},
-    {"noise", "range bin", "noise (LSB rms)", "set xrange [0:40]\nset yrange [0:3]\n"},
-    {"histogram", "code (LSB)", "share of codes", "set xrange [*:*]\nset yrange [0:*]\n"},
+    {"noise", "range bin", "noise (LSB rms)", "set xrange [0:*]\nset yrange [0.1:*]\nset logscale y\n"},
+    {"histogram", "code (LSB)", "share of codes",
+     "unset logscale y\nset xrange [*:*]\nset yrange [0:*]\n"},
 };
 
+constexpr std::size_t histogram_panel = 4;
+
 Canvas canvas_for(std::size_t n_rx) {
-    return {.width_px = left_px + 4.0 * column_px - 60.0,
+    return {.width_px = left_px + 5.0 * column_px - 60.0,
             .height_px = head_px + static_cast<double>(n_rx) * row_px};
 }
 
 const LikenessCurves::Pair& pair_of(const LikenessCurves& curves, std::size_t panel) {
-    const LikenessCurves::Pair* pairs[] = {&curves.mean_chirp, &curves.spectrum_db,
+    const LikenessCurves::Pair* pairs[] = {&curves.mean_chirp, &curves.mean_chirp, &curves.spectrum_db,
                                            &curves.noise_lsb, &curves.histogram};
     return *pairs[panel];
 }
 
 double abscissa(const LikenessCurves& curves, std::size_t panel, std::size_t i) {
     const double step = static_cast<double>(i);
-    if (panel != 3) return step;
+    if (panel != histogram_panel) return step;
     return curves.histogram_begin_lsb + (step + 0.5) * curves.histogram_step_lsb;
 }
 
@@ -76,7 +80,7 @@ std::string panel_script(const Canvas& canvas, const LikenessCurves& curves, std
                              .upwards = upwards});
     };
     return std::string("unset label\n") + what.settings +
-           (panel == 3 ? code_marks(curves) : "set xtics autofreq\n") + canvas.frame(box) +
+           (panel == histogram_panel ? code_marks(curves) : "set xtics autofreq\n") + canvas.frame(box) +
            label(what.below, 0.5 * (box.left + box.right), box.bottom + 38.0, false) +
            label(what.beside, box.left - 52.0, 0.5 * (box.top + box.bottom), true) +
            canvas.label({.text = format("RX {}", rx),
@@ -116,7 +120,7 @@ Figure likeness_figure(const Likeness& likeness, const std::string& title) {
                          .top = head_px - 26.0,
                          .right = canvas.width_px,
                          .bottom = canvas.height_px};
-    const auto key = legend_row(canvas, left_px + 620.0, 22.0,
+    const auto key = legend_row(canvas, left_px + 920.0, 22.0,
                                 {{.label = "recorded",
                                   .colour = series_colour(0),
                                   .marker = Marker::line_point,
@@ -142,7 +146,7 @@ Figure likeness_figure(const Likeness& likeness, const std::string& title) {
             .title = title,
             .description =
                 "Recorded and simulated chirps side by side, a row for each receiver: "
-                "mean chirp, amplitude spectrum, noise per bin and histogram of codes.",
+                "start of the mean chirp, mean chirp, amplitude spectrum, noise per bin and histogram of codes.",
             .script = script,
             .csv = csv(likeness),
             .width_in = canvas.width_in(),

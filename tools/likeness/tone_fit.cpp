@@ -11,7 +11,7 @@ namespace specula {
 namespace {
 
 constexpr double grid_bins = 0.125;
-constexpr double nearest_bins = 0.25;  // nearer ones are not told from the offset
+constexpr double nearest_bins = 0.5;  // nearer ones are not told from the offset
 constexpr std::size_t few_tones = 8;
 constexpr double apart_bins = 0.3;  // nearer pairs explain little more, by cancelling each other
 
@@ -170,6 +170,8 @@ FittedChannel ChirpFit::fit(const std::vector<double>& chirp, const ToneSearch& 
     const auto found = least_squares(columns, observed);
     FittedChannel channel;
     channel.dc_lsb = found[0];
+    ExplainedSpace others;
+    for (std::size_t c = 1; c < columns.size(); ++c) others.add(columns[c]);
     std::size_t next = 1;
     if (shows_start_up()) channel.start_up_lsb = found[next++];
     if (echo != nullptr) {
@@ -183,6 +185,8 @@ FittedChannel ChirpFit::fit(const std::vector<double>& chirp, const ToneSearch& 
     }
     channel.residual_lsb = std::sqrt(energy(unexplained(columns, found, observed)) /
                                      static_cast<double>(observed.size()));
+    channel.dc_error_lsb =
+        std::hypot(channel.residual_lsb, search.noise_lsb) / others.length_beyond(columns[0]);
     return channel;
 }
 

@@ -15,6 +15,7 @@ struct FittedTone {
 /// What makes up the mean chirp of one RX.
 struct FittedChannel {
     double dc_lsb = 0.0;
+    double dc_error_lsb = 0.0;  ///< standard error: near tones take part of an offset, or give it
     double start_up_lsb = 0.0;
     std::vector<FittedTone> tones;
     Complex echo_factor{1.0, 0.0};  ///< on the known scene's beat
@@ -22,7 +23,7 @@ struct FittedChannel {
 };
 
 struct ToneSearch {
-    double nearest_m = 0.0;  ///< a quarter of a bin at least: nearer is not told from the offset
+    double nearest_m = 0.0;  ///< half a bin at least: nearer is not told from the offset
     double farthest_m = 0.15;
     int most_tones = 6;
     /// Stop when a tone lessens the residual's energy by less than this share of the chirp's.

@@ -80,6 +80,13 @@ CLI::App* export_group(CLI::App& program) {
     return group;
 }
 
+/// What `specula import` makes of an exported file, behind "reads it back".
+const char* what_comes_back(const std::string& format_name) {
+    if (format_name == "csv") return ": classes, groups and features, which for codes are range bins";
+    if (format_name == "uart") return ": range profiles and answers; labels stand in plate.out.toml";
+    return ", bit by bit; labels stand in plate.out.toml";
+}
+
 void add_export_recording(CLI::App& program, ExportRecordingArguments& arguments) {
     CLI::App* group = export_group(program);
     for (const auto& [name, what] : std::vector<std::pair<std::string, const char*>>{
@@ -92,11 +99,9 @@ void add_export_recording(CLI::App& program, ExportRecordingArguments& arguments
              {"npy", "Codes, or features where there are none, as NumPy's array"},
              {"csv", "Features and labels as a table"}}) {
         CLI::App* command = group->add_subcommand(name, what);
-        command->footer(
-            format("Example:\n  specula export {} plate.h5 -o plate.out\n"
-                   "  specula import reads it back, bit by bit; labels stand in "
-                   "plate.out.toml.",
-                   name));
+        command->footer(format("Example:\n  specula export {0} plate.h5 -o plate.out\n"
+                               "  specula import {0} plate.out reads it back{1}.",
+                               name, what_comes_back(name)));
         command->callback([&arguments, name = name] { arguments.what = name; });
         command->add_option("DATASET", arguments.input, "dataset (.h5)")->required();
         command->add_option("-o,--out", arguments.out, "file or (infineon) folder to write")

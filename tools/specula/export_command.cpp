@@ -7,6 +7,7 @@
 #include "sim/core/error.hpp"
 #include "sim/core/format.hpp"
 #include "tools/specula/commands.hpp"
+#include "tools/specula/output_place.hpp"
 
 namespace specula {
 
@@ -42,6 +43,8 @@ auto made_from(const ExportModelArguments& arguments, Make make) {
 void export_model_command(const ExportModelArguments& arguments) {
     if (arguments.blob.empty() && arguments.c_source.empty() && arguments.onnx.empty())
         throw InputError("export model: nothing to write; give --blob, --c or --onnx with a file");
+    for (const auto& out : {arguments.blob, arguments.c_source, arguments.onnx})
+        if (!out.empty()) prepare_output(out, {arguments.model});
     const Model model = read_model(arguments.model);
     // Everything is made before anything is written.
     std::vector<std::uint8_t> blob;

@@ -1,5 +1,8 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
+#include <optional>
 
 #include "classifier/descriptor.hpp"
 #include "classifier/model_file.hpp"
@@ -14,6 +17,7 @@
 #include "sim/recording/export_recording.hpp"
 #include "tools/console/console.hpp"
 #include "tools/specula/commands.hpp"
+#include "tools/specula/output_place.hpp"
 
 namespace specula {
 
@@ -51,17 +55,50 @@ void add_answers(const std::filesystem::path& file, Dataset& dataset) {
                                   &dataset.probability[i * n]) == FW_OK);
 }
 
+/// The radar that is named, or that the dataset names; nothing where that is none of the catalogue.
+std::optional<Radar> radar_of(const ExportRecordingArguments& arguments, const Dataset& dataset,
+                              const Catalogue& catalogue) {
+    if (!arguments.radar.empty()) return catalogue.radar_called(arguments.radar);
+    const auto known = catalogue.radar_names();
+    if (std::ranges::count(known, dataset.origin.radar) == 0) return std::nullopt;
+    return catalogue.radar_called(dataset.origin.radar);
+}
+
 /// What an Infineon folder says beside the codes.
-InfineonConfig chirp_of(const ExportRecordingArguments& arguments, const Dataset& dataset,
-                        const Catalogue& catalogue) {
-    const std::string name = arguments.radar.empty() ? dataset.origin.radar : arguments.radar;
-    Section wanted = Section::parse("radar = '" + name + "'", "--radar");
-    const Chirp chirp = catalogue.radar(wanted, "radar").chirp;
+InfineonConfig infineon_of(const std::optional<Radar>& radar, const Dataset& dataset) {
+    if (!radar)
+        throw InputError(
+            format("its radar, \"{}\", is none of the catalogue, and the format asks for its "
+                   "frequencies; give --radar",
+                   dataset.origin.radar));
+    const Chirp& chirp = radar->chirp;
+    if (chirp.n_samples != dataset.n_samples)
+        throw InputError(format("its chirps have {} samples, those of radar {} have {}; give the "
+                                "radar that made it by --radar",
+                                dataset.n_samples, radar->name, chirp.n_samples));
     const double bin_m = dataset.origin.bin_m > 0.0 ? dataset.origin.bin_m : chirp.bin_m();
     const double start_hz = chirp.frequency_hz(0);
     return {.start_hz = start_hz,
             .end_hz = start_hz + speed_of_light_m_s / (2.0 * bin_m),
-            .sample_rate_hz = chirp.sample_rate_hz};
+            .sample_rate_hz = chirp.sample_rate_hz,
+            .chirp_repetition_s = chirp.ramp_end_s + chirp.idle_s,
+            .high_pass_hz = radar->receiver.high_pass_hz};
+}
+
+SentChirps sent_chirps(const ExportRecordingArguments& arguments, const Dataset& dataset,
+                       const Catalogue& catalogue) {
+    const std::optional<Radar> radar = radar_of(arguments, dataset, catalogue);
+    SentChirps chirps;
+    if (arguments.what == "infineon") chirps.infineon = infineon_of(radar, dataset);
+    if (radar) chirps.n_tx = static_cast<std::size_t>(radar->n_tx());
+    return chirps;
+}
+
+void warn_of_losses(const std::string& format_name, const Dataset& dataset) {
+    if (!dataset.probability.empty() && (format_name == "npy" || format_name == "csv"))
+        say_warning(format("{} has no place for the probabilities; uart has", format_name));
+    if (format_name == "csv" && !dataset.adc.empty())
+        say_warning("csv holds the range bins, not the codes they are made of; npy holds codes");
 }
 
 void warn_of_limits(const std::string& format_name, const Dataset& dataset) {
@@ -71,6 +108,19 @@ void warn_of_limits(const std::string& format_name, const Dataset& dataset) {
             format("{} RX of {} samples: TI's IWRL6432 demo takes 3 RX (or 6 virtual) of at "
                    "most {}",
                    dataset.n_rx, dataset.n_samples, injection_samples));
+}
+
+/// A manifest that somebody wrote by hand is theirs; those of earlier exports begin alike.
+void check_output(const ExportedFile& file, const ExportRecordingArguments& arguments) {
+    prepare_output(file.name, {arguments.input, arguments.model, arguments.radar});
+    if (file.name.extension() != ".toml" || !std::filesystem::is_regular_file(file.name)) return;
+    std::ifstream there(file.name);
+    std::string first_line;
+    std::getline(there, first_line);
+    if (first_line + "\n" != manifest_first_line)
+        throw InputError(format("{}: is a manifest that specula did not write; move it away, or "
+                                "give --out another name",
+                                file.name.string()));
 }
 
 }  // namespace
@@ -83,10 +133,10 @@ void export_recording_command(const ExportRecordingArguments& arguments,
         if (arguments.what == "uart" && dataset.features.empty()) add_range_profile(dataset);
         if (arguments.what == "csv" && dataset.features.empty()) add_descriptor(dataset);
         warn_of_limits(arguments.what, dataset);
-        const InfineonConfig chirp = arguments.what == "infineon"
-                                         ? chirp_of(arguments, dataset, catalogue)
-                                         : InfineonConfig{};
-        const auto files = export_recording(arguments.what, dataset, arguments.out, chirp);
+        warn_of_losses(arguments.what, dataset);
+        const auto files = export_recording(arguments.what, dataset, arguments.out,
+                                            sent_chirps(arguments, dataset, catalogue));
+        for (const ExportedFile& file : files) check_output(file, arguments);
         for (const ExportedFile& file : files) {
             write_file_atomically(file.name, file.content);
             std::printf("Wrote %s, %zu bytes\n", file.name.c_str(), file.content.size());

@@ -6,6 +6,7 @@
 #include "sim/recording/import_recording.hpp"
 #include "tools/console/console.hpp"
 #include "tools/specula/commands.hpp"
+#include "tools/specula/output_place.hpp"
 #include "tools/study/progress.hpp"
 
 namespace specula {
@@ -43,12 +44,17 @@ Source source_of(const std::vector<std::string>& what) {
     return source;
 }
 
-/// The manifest that is named, or lies beside the input as INPUT.toml, or an empty one.
-Section manifest_for(const ImportArguments& arguments, const fs::path& input) {
-    if (!arguments.manifest.empty()) return Section::read(arguments.manifest);
+/// The manifest that is named, or lies beside the input as INPUT.toml; empty where there is none.
+fs::path manifest_file(const ImportArguments& arguments, const fs::path& input) {
+    if (!arguments.manifest.empty()) return arguments.manifest;
     const fs::path beside = input.string() + ".toml";
     std::error_code ignored;
-    return fs::exists(beside, ignored) ? Section::read(beside) : Section::parse("", "no manifest");
+    return fs::exists(beside, ignored) ? beside : fs::path();
+}
+
+Section manifest_for(const ImportArguments& arguments, const fs::path& input) {
+    const fs::path file = manifest_file(arguments, input);
+    return file.empty() ? Section::parse("", "no manifest") : Section::read(file);
 }
 
 }  // namespace
@@ -64,9 +70,7 @@ void import_command(const ImportArguments& arguments, const Catalogue& catalogue
         arguments.out.empty()
             ? fs::path((fs::absolute(source.input) / "").parent_path().stem().string() + ".h5")
             : arguments.out;
-    std::error_code ignored;
-    if (fs::equivalent(out, source.input, ignored))
-        throw InputError(out.string() + ": is the recording itself; give --out another name");
+    prepare_output(out, {source.input, manifest_file(arguments, source.input)});
     for (const std::string& note : imported.notes) say_warning(source.input.string() + ": " + note);
     write_dataset(out, imported.dataset);
     if (progress) ++progress->done();

@@ -32,23 +32,30 @@ Likeness compared(const ChirpSeries& series, const Radar& radar, std::uint64_t s
     return compare_with_recording(series, radar, seed, &progress.done());
 }
 
+std::string verdict_of(const LikenessRow& row) {
+    return row.is_alike() ? "" : row.reason.empty() ? "unexplained" : row.reason;
+}
+
 std::string table_csv(const Likeness& likeness) {
     CsvTable table({"quantity", "rx", "unit", "recorded", "simulated", "alike", "reason"});
     for (const LikenessRow& row : likeness.rows)
         table.add({row.quantity, format("{}", row.rx), row.unit, format("{:.6g}", row.recorded),
                    format("{:.6g}", row.simulated), row.is_alike() ? "yes" : "no",
-                   row.is_alike() ? "" : row.reason});
+                   verdict_of(row)});
     return table.text();
 }
 
 void print_table(const Likeness& likeness) {
     std::vector<std::string> reasons;
-    std::size_t alike = 0;
+    std::size_t alike = 0, unexplained = 0;
     std::printf("%-52s %-8s %3s %10s %10s\n", "", "", "RX", "recorded", "simulated");
     for (const LikenessRow& row : likeness.rows) {
         std::string note;
         if (row.is_alike()) {
             ++alike;
+        } else if (row.reason.empty()) {
+            ++unexplained;
+            note = "  unexplained";
         } else {
             auto known = std::find(reasons.begin(), reasons.end(), row.reason);
             if (known == reasons.end()) known = reasons.insert(reasons.end(), row.reason);
@@ -57,7 +64,9 @@ void print_table(const Likeness& likeness) {
         std::printf("%-52s %-8s %3d %10.4g %10.4g%s\n", row.quantity.c_str(), row.unit.c_str(),
                     row.rx, row.recorded, row.simulated, note.c_str());
     }
-    std::printf("\n%zu of %zu within 20 %% or one code\n", alike, likeness.rows.size());
+    std::printf("\n%zu of %zu within 20 %% or one code, %zu explained below, %zu unexplained\n",
+                alike, likeness.rows.size(), likeness.rows.size() - alike - unexplained,
+                unexplained);
     for (std::size_t i = 0; i < reasons.size(); ++i)
         std::printf("(%zu) %s\n", i + 1, reasons[i].c_str());
 }

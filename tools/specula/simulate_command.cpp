@@ -15,6 +15,7 @@
 #include "tools/console/console.hpp"
 #include "tools/specula/bar_chart.hpp"
 #include "tools/specula/commands.hpp"
+#include "tools/specula/output_place.hpp"
 #include "tools/study/progress.hpp"
 
 namespace specula {
@@ -109,9 +110,7 @@ void simulate_command(const SimulateArguments& arguments, const Catalogue& catal
     const Chirp& chirp = scene.radar.chirp;
     const fs::path out =
         arguments.out.empty() ? fs::path(arguments.scene.stem().string() + ".h5") : arguments.out;
-    std::error_code ignored;
-    if (fs::equivalent(out, arguments.scene, ignored))
-        throw InputError(out.string() + ": is the scene itself; give --out another name");
+    prepare_output(out, {arguments.scene});
     for (const std::string& warning : scene.warnings) say_warning(warning);
     for (const std::string& warning : scene.radar.warnings) say_warning(warning);
     for (const BandWarning& warning : band_warnings(scene, catalogue.materials))

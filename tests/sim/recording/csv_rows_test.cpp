@@ -52,5 +52,15 @@ TEST_CASE("a number is a whole cell, finite, and no locale's", "[recording]") {
               }).rfind("byte 7: x = \"" + cell + "\": is not a finite number", 0) == 0);
 }
 
+TEST_CASE("a table without names, or with a name twice, is refused", "[recording]") {
+    const auto refusal = [](const std::string& text) {
+        return message_of(
+            [&] { return read_csv({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}); });
+    };
+    CHECK(refusal("1,2.5\n3,4\n").find("the first row holds numbers only") != std::string::npos);
+    CHECK(refusal("a,b,a\n1,2,3\n").find("two columns are called \"a\"") != std::string::npos);
+    CHECK(refusal("a,2\n1,2\n").find("names") == std::string::npos);
+}
+
 }  // namespace
 }  // namespace specula

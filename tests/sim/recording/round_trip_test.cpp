@@ -55,12 +55,14 @@ Dataset made_up_features(bool whole) {
     return dataset;
 }
 
-const InfineonConfig chirp{.start_hz = 58e9, .end_hz = 63.5e9, .sample_rate_hz = 2e6};
+const SentChirps chirp{
+    .infineon = {.start_hz = 58e9, .end_hz = 63.5e9, .sample_rate_hz = 2e6}};
 
-Dataset there_and_back(const std::string& format, const Dataset& dataset) {
+Dataset there_and_back(const std::string& format, const Dataset& dataset,
+                       const SentChirps& sent = chirp) {
     const TemporaryFolder folder;
     const std::filesystem::path out = folder / "recording";
-    for (const ExportedFile& file : export_recording(format, dataset, out, chirp))
+    for (const ExportedFile& file : export_recording(format, dataset, out, sent))
         write_file_atomically(file.name, file.content);
     const std::filesystem::path beside = out.string() + ".toml";
     const Section section =
@@ -99,6 +101,23 @@ TEST_CASE("real codes come back from every format of codes", "[recording]") {
         CHECK(back.origin.source == "import " + format);
         check_groups(back, given);
     }
+}
+
+TEST_CASE("TX that take turns are virtual antennas of an injection file", "[recording]") {
+    const Dataset given = made_up_codes(false);  // 2 chirps of 3 RX
+    const SentChirps by_turns{.infineon = {}, .n_tx = 2};
+    const auto files = export_recording("injection", given, "x", by_turns);
+    // u32 each: samples, virtual antennas, chirps of each TX, frames.
+    CHECK(files.at(0).content.substr(0, 16) ==
+          std::string("\x10\0\0\0\x06\0\0\0\x01\0\0\0\x08\0\0\0", 16));
+    const Dataset back = there_and_back("injection", given, by_turns);
+    CHECK(back.n_chirps == 2);
+    CHECK(back.n_rx == 3);
+    CHECK(back.adc == given.adc);
+    CHECK(message_of([&] {
+              return export_recording("injection", given, "x", {.infineon = {}, .n_tx = 3}).size();
+          }).find("2 chirps of a frame are no whole number for each of 3 TX") !=
+          std::string::npos);
 }
 
 TEST_CASE("complex codes come back, or are refused", "[recording]") {

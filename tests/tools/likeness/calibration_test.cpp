@@ -156,6 +156,22 @@ TEST_CASE("a recording of another radar, or too short a one, is refused", "[like
           }).find("the recording has 2 chirps; record three or more") == 0);
 }
 
+TEST_CASE("codes that no scene explains are refused", "[calibration]") {
+    const auto refusal = [](const ChirpSeries& series) {
+        return message_of([&] { return calibrate(series, board(), nullptr); });
+    };
+    const ChirpSeries sound = record_empty(board(), 5);
+    ChirpSeries wide = sound, saturated = sound, dead = sound;
+    wide.codes[100] = 2048;
+    CHECK(refusal(wide).find("code 2048: is beyond the 12 bits") == 0);
+    for (std::size_t i = 0; i < saturated.codes.size(); i += 50) saturated.codes[i] = 2047;
+    CHECK(refusal(saturated).find("2.0 % of the codes are at the ends of the ADC") == 0);
+    const auto n = static_cast<std::size_t>(dead.n_samples);
+    for (std::size_t chirp = 0; chirp < dead.n_chirps(); ++chirp)
+        std::fill_n(dead.codes.begin() + static_cast<std::ptrdiff_t>((2 * chirp + 1) * n), n, 3);
+    CHECK(refusal(dead) == "RX 1: every code is 3; is the receiver on?");
+}
+
 TEST_CASE("a board is like its own recording, and unlike one of another", "[likeness]") {
     const Radar radar = board();
     const ChirpSeries series = record_empty(radar, 600);  // noise to 3 %

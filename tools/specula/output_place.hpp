@@ -1,0 +1,14 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+namespace specula {
+
+/// Makes the folder of an output, after making sure that writing it destroys nothing that the
+/// command reads: throws InputError where `out` is one of `inputs`, by whatever name. Empty inputs
+/// are none; a missing one is not this function's business.
+void prepare_output(const std::filesystem::path& out,
+                    const std::vector<std::filesystem::path>& inputs);
+
+}  // namespace specula
