@@ -149,7 +149,12 @@ GenerateReport run_generate(const Recipe& recipe, const GenerateRequest& request
         output.remove_drafts(request.share);
         const auto missing = folder.missing();
         if (!missing.empty()) {
-            look_ahead(recipe, request, materials, folder);
+            try {
+                look_ahead(recipe, request, materials, folder);
+            } catch (...) {
+                if (folder.n_finished() == 0) output.remove_leftovers();
+                throw;
+            }
             record_missing(recipe, request, materials, folder);
             report.n_recorded = frames_of(recipe, folder.plan(), missing);
         }

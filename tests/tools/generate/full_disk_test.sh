@@ -16,21 +16,49 @@ cleanup() {
     rm -rf "$folder"
 }
 trap cleanup EXIT
-mount -t tmpfs -o size=24m specula "$disk" 2>/dev/null || { echo "skipped: cannot mount a tmpfs"; exit 77; }
+mount -t tmpfs -o size=50m specula "$disk" 2>/dev/null || { echo "skipped: cannot mount a tmpfs"; exit 77; }
 fail() {
     echo "FAILED: $*"
     cat "$folder/log"
     ls -l "$disk" "$disk"/*.parts 2>/dev/null
     exit 1
 }
-generate() { "$program" generate tilt_and_height --worlds 3 --store adc -o "$1" >"$folder/log" 2>&1; }
+# Ten shards of small plates.
+cat >"$folder/small.toml" <<'END'
+title = "small"
+seed = 5
+worlds = 10
+radar = "iwrl6432boost"
+nominal_height_mm = 450
+[recordings]
+samples = 2
+sessions = 16
+frames = 60
+[geometry]
+height_mm = { uniform = [400, 500], sampling = "quasi" }
+[sample]
+size_mm = [30, 30]
+[[class]]
+name = "iron"
+material = "iron"
+thickness_mm = 3
+[[class]]
+name = "wood"
+material = "wood"
+thickness_mm = { normal = [18, 1] }
+[session]
+gain_db = { normal = [0, 0.3] }
+[frame]
+displacement_um = { normal = [0, 35] }
+END
+generate() { "$program" generate "$folder/small.toml" -o "$1" >"$folder/log" 2>&1; }
 
 generate "$folder/one.h5" || fail "the undisturbed run"
 size=$(stat -c %s "$folder/one.h5")
 echo "the whole file: $size bytes"
 
 # Too small from the beginning: refused before anything is simulated.
-dd if=/dev/zero of="$disk/filler" bs=1M count=18 2>/dev/null
+dd if=/dev/zero of="$disk/filler" bs=1M count=30 2>/dev/null
 generate "$disk/a.h5" && fail "no refusal"
 grep -q 'needs about .* and has .* free' "$folder/log" || fail "not refused for its size"
 [ "$(ls "$disk")" = filler ] || fail "the refusal left something: $(ls "$disk")"

@@ -24,12 +24,12 @@ cat >small.toml <<'END'
 title = "small"
 seed = 5
 worlds = 10
-radar = "bgt60tr13c"
+radar = "iwrl6432boost"
 nominal_height_mm = 450
 [recordings]
 samples = 2
 sessions = 16
-frames = 8
+frames = 16
 [geometry]
 height_mm = { uniform = [400, 500], sampling = "quasi" }
 [sample]

@@ -11,7 +11,7 @@ namespace specula {
 
 /// A dataset of small plates: two classes, so many sessions of two frames that there are some shards.
 inline const char* const small_recipe_text =
-    "title = \"small\"\nseed = 5\nworlds = 5\nradar = \"bgt60tr13c\"\nnominal_height_mm = 450\n"
+    "title = \"small\"\nseed = 5\nworlds = 5\nradar = \"iwrl6432boost\"\nnominal_height_mm = 450\n"
     "store = [\"adc\", \"features\"]\n"
     "[recordings]\nsamples = 2\nsessions = 8\nframes = 2\n"
     "[geometry]\nheight_mm = { uniform = [400, 500], sampling = \"quasi\" }\n"

@@ -85,7 +85,7 @@ echo "slurmctld, slurmd and munged run: $(sinfo -h -o '%N %t %c CPUs')"
 # --- the dataset, by one process and by an array --------------------------------------------------
 cd "$folder" || exit 1
 export SPECULA="$program" SPECULA_HOME="$tree"
-worlds=${SPECULA_SLURM_WORLDS:-12}
+worlds=${SPECULA_SLURM_WORLDS:-48}
 "$program" generate tilt_and_height -o one.h5 --worlds "$worlds" --store adc >one.log 2>&1 ||
     fail "the single process: $(cat one.log)"
 job=$(sbatch --parsable --cpus-per-task=1 --mem=0 "$tree/tools/slurm/generate.sbatch" \
