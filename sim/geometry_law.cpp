@@ -32,10 +32,8 @@ const std::array<Axis, GeometryLaw::n_axes>& axes() {
          [](Pose& pose) -> double& { return pose.sample.about_x_rad; }},
         {"sample_tilt_y", Unit::angle, tilt,
          [](Pose& pose) -> double& { return pose.sample.about_y_rad; }},
-        {"offset_x", Unit::length, offset_m,
-         [](Pose& pose) -> double& { return pose.offset_x_m; }},
-        {"offset_y", Unit::length, offset_m,
-         [](Pose& pose) -> double& { return pose.offset_y_m; }},
+        {"offset_x", Unit::length, offset_m, [](Pose& pose) -> double& { return pose.offset_x_m; }},
+        {"offset_y", Unit::length, offset_m, [](Pose& pose) -> double& { return pose.offset_y_m; }},
         {"yaw", Unit::angle, Range::between(-pi, pi),
          [](Pose& pose) -> double& { return pose.yaw_rad; }},
     }};
@@ -52,10 +50,10 @@ void check_draws(const Section& section, const Axis& axis, const SampledLaw& law
     for (const double u : {least_draw, 0.5, 1.0 - least_draw}) {
         const double value = law.law.quantile(u);
         if (!axis.range.holds(value))
-            section.fail_quantity(axis.key, axis.unit,
-                                  format("may be drawn as {:.4g} (SI), which is out of range",
-                                         value),
-                                  "choose a law that stays inside, such as uniform");
+            section.fail_quantity(
+                axis.key, axis.unit,
+                format("may be drawn as {:.4g} (SI), which is out of range", value),
+                "choose a law that stays inside, such as uniform");
         const std::string blind = axis.of == axes()[0].of ? blind_reason(radar, value) : "";
         if (!blind.empty())
             section.fail_quantity(axis.key, axis.unit,
@@ -95,8 +93,8 @@ GeometryLaw read_geometry(Section section, const Radar& radar, double nominal_he
     GeometryLaw geometry;
     for (std::size_t i = 0; i < GeometryLaw::n_axes; ++i) {
         const Axis& axis = axes()[i];
-        geometry.laws[i] = section.sampled_law(axis.key, axis.unit, axis.range,
-                                               i == 0 ? nominal_height_m : 0.0);
+        geometry.laws[i] =
+            section.sampled_law(axis.key, axis.unit, axis.range, i == 0 ? nominal_height_m : 0.0);
         check_draws(section, axis, geometry.laws[i], radar);
     }
     if (section.has_quantity("pivot", Unit::length)) {

@@ -44,10 +44,11 @@ int piece_of(const Condition& condition, const SessionId& id) {
 Pose asked_pose(const Bench& bench, const Condition& condition, const SessionId& id) {
     if (!condition.geometry_law) return condition.pose(id.session);
     const int index = id.world * condition.sessions_per_class() + id.session;
-    return condition.geometry_law->pose({.seed = bench.seed,
-                                     .group = static_cast<std::uint32_t>(id.label),
-                                     .index = static_cast<std::uint32_t>(index),
-                                     .n = static_cast<std::uint32_t>(condition.geometry_law->n_sessions)});
+    return condition.geometry_law->pose(
+        {.seed = bench.seed,
+         .group = static_cast<std::uint32_t>(id.label),
+         .index = static_cast<std::uint32_t>(index),
+         .n = static_cast<std::uint32_t>(condition.geometry_law->n_sessions)});
 }
 
 /// A short correlation scatters next to nothing; none at all would divide by zero.

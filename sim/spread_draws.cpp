@@ -76,8 +76,8 @@ std::uint32_t mixed(std::uint32_t x) {
     return x ^ (x >> 16);
 }
 
-/// A permutation of [0, n) drawn for the axis: a Feistel network over the next power of four, walked
-/// until it comes back into the interval.
+/// A permutation of [0, n) drawn for the axis: a Feistel network over the next power of four,
+/// walked until it comes back into the interval.
 std::uint32_t permuted(const SpreadItem& item, const SpreadAxis& axis) {
     unsigned half = 1;
     while (half < 16 && (std::uint64_t{1} << (2 * half)) < item.n) ++half;

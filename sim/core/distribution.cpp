@@ -72,17 +72,17 @@ double Distribution::sample(Stream& stream) const {
 
 double Distribution::quantile(double u) const {
     SPECULA_EXPECT(u > 0.0 && u < 1.0);
-    return std::visit(
-        Overloaded{
-            [](const Fixed& law) { return law.value; },
-            [&](const Uniform& law) { return law.low + u * (law.high - law.low); },
-            [&](const Normal& law) { return law.mean + normal_quantile(u) * law.sd; },
-            [&](const Factor& law) {
-                return law.median * std::exp(normal_quantile(u) * std::log(law.ratio));
-            },
-            [&](const Choice& law) { return chosen(law, u); },
-        },
-        law_);
+    return std::visit(Overloaded{
+                          [](const Fixed& law) { return law.value; },
+                          [&](const Uniform& law) { return law.low + u * (law.high - law.low); },
+                          [&](const Normal& law) { return law.mean + normal_quantile(u) * law.sd; },
+                          [&](const Factor& law) {
+                              return law.median *
+                                     std::exp(normal_quantile(u) * std::log(law.ratio));
+                          },
+                          [&](const Choice& law) { return chosen(law, u); },
+                      },
+                      law_);
 }
 
 double Distribution::median() const {

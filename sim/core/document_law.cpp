@@ -30,8 +30,7 @@ LawEntry entry_of(const Named& named, const toml::table& law, const std::string&
 Distribution Section::Table::checked_law(const Named& named, const Range& range) const {
     const toml::table* law = named.node->as_table();
     if (!law) return checked_number(named, *named.node, range);
-    if (law->size() != 1)
-        fail(named.key, named.node, "is not a value or a law", laws_there_are);
+    if (law->size() != 1) fail(named.key, named.node, "is not a value or a law", laws_there_are);
     const LawEntry entry = entry_of(named, *law, std::string(law->begin()->first.str()));
     const Named& inner = entry.numbers;
     if (entry.name == "uniform") {

@@ -26,8 +26,7 @@ void add_lines(const std::string& path, const toml::node& node, std::vector<std:
             add_lines((path.empty() ? "" : path + ".") + std::string(key.str()), value, lines);
     } else if (const toml::array* array = node.as_array()) {
         std::size_t i = 0;
-        for (const toml::node& item : *array)
-            add_lines(format("{}[{}]", path, i++), item, lines);
+        for (const toml::node& item : *array) add_lines(format("{}[{}]", path, i++), item, lines);
     } else {
         lines.push_back(path + " = " + on_one_line(scalar_text(node)));
     }

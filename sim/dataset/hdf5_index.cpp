@@ -64,9 +64,8 @@ Hdf5Handle virtual_table(hid_t index, hid_t model, const std::string& name,
         start[0] += file.n_rows;
     }
     H5Sselect_all(space);
-    return Hdf5Handle(H5Dcreate2(index, name.c_str(), type, space, H5P_DEFAULT, creation,
-                                 H5P_DEFAULT),
-                      H5Dclose);
+    return Hdf5Handle(
+        H5Dcreate2(index, name.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT), H5Dclose);
 }
 
 }  // namespace

@@ -91,7 +91,8 @@ TEST_CASE("a choice gives each of its values as often, and nothing else", "[dist
     for (const double value : {3.0, 4.0, 6.0, 8.0})  // five standard errors of a quarter
         CHECK(std::abs(times[value] - n_draws / 4) < 5.0 * std::sqrt(n_draws * 0.25 * 0.75));
     CHECK(law.median() == 4.0);
-    CHECK(law.spread() == Approx(std::sqrt((2.25 * 2.25 + 1.25 * 1.25 + 0.75 * 0.75 + 2.75 * 2.75) / 4)));
+    CHECK(law.spread() ==
+          Approx(std::sqrt((2.25 * 2.25 + 1.25 * 1.25 + 0.75 * 0.75 + 2.75 * 2.75) / 4)));
 }
 
 TEST_CASE("a quantile is the inverse of the share below it", "[distribution]") {

@@ -22,7 +22,8 @@ TEST_CASE("comments, order and spaces make no other lines, a value does", "[docu
 }
 
 TEST_CASE("a text of several lines stays on one", "[document]") {
-    CHECK(Section::parse("a = \"x\\ny = 3\"\n", "a.toml").value_lines() == Lines{"a = \"x y = 3\""});
+    CHECK(Section::parse("a = \"x\\ny = 3\"\n", "a.toml").value_lines() ==
+          Lines{"a = \"x y = 3\""});
 }
 
 }  // namespace

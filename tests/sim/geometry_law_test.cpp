@@ -65,17 +65,23 @@ TEST_CASE("quasi-random heights and tilts cover the square evenly", "[sim]") {
 }
 
 TEST_CASE("a law that can draw what is impossible is refused by key and line", "[sim]") {
-    CHECK(message_of([] { geometry("\nheight_mm = { normal = [50, 20] }"); })
-              .rfind("geometry.toml:2: height_mm = { normal = [50, 20] }: may be drawn as -0.07", 0) ==
-          0);
-    CHECK(message_of([] { geometry("height_m = { uniform = [1, 99] }"); })
-              .find("may be drawn as 99 m, which") != std::string::npos);
-    CHECK(message_of([] { geometry("yaw_deg = { uniform = [0, 9], sampling = \"sobol\" }"); })
-              .find("use \"random\", \"stratified\" or \"quasi\"") != std::string::npos);
-    CHECK(message_of([] { geometry("yaw_deg = { grid = [0, 9], sampling = \"quasi\" }"); })
-              .find("keep the grid alone") != std::string::npos);
-    CHECK(message_of([] { geometry("yaw_deg = { uniform = [9, 0], sampling = \"quasi\" }"); })
-              .rfind("geometry.toml:1: yaw_deg.uniform", 0) == 0);
+    CHECK(
+        message_of([] {
+            geometry("\nheight_mm = { normal = [50, 20] }");
+        }).rfind("geometry.toml:2: height_mm = { normal = [50, 20] }: may be drawn as -0.07", 0) ==
+        0);
+    CHECK(message_of([] {
+              geometry("height_m = { uniform = [1, 99] }");
+          }).find("may be drawn as 99 m, which") != std::string::npos);
+    CHECK(message_of([] {
+              geometry("yaw_deg = { uniform = [0, 9], sampling = \"sobol\" }");
+          }).find("use \"random\", \"stratified\" or \"quasi\"") != std::string::npos);
+    CHECK(message_of([] {
+              geometry("yaw_deg = { grid = [0, 9], sampling = \"quasi\" }");
+          }).find("keep the grid alone") != std::string::npos);
+    CHECK(message_of([] {
+              geometry("yaw_deg = { uniform = [9, 0], sampling = \"quasi\" }");
+          }).rfind("geometry.toml:1: yaw_deg.uniform", 0) == 0);
 }
 
 TEST_CASE("a dataset's sessions stand where the law says, and stay on a piece", "[sim]") {

@@ -21,9 +21,9 @@ std::vector<double> draws(const Design& design, int dimension) {
     const std::string name = "axis " + std::to_string(dimension);
     std::vector<double> values;
     for (std::uint32_t i = 0; i < design.n; ++i)
-        values.push_back(spread_uniform(
-            {.seed = design.seed, .group = design.group, .index = i, .n = design.n},
-            {.name = name, .dimension = dimension}, design.sampling));
+        values.push_back(
+            spread_uniform({.seed = design.seed, .group = design.group, .index = i, .n = design.n},
+                           {.name = name, .dimension = dimension}, design.sampling));
     return values;
 }
 
@@ -88,9 +88,7 @@ TEST_CASE("Sobol's first two axes fill every elementary rectangle once", "[sim]"
 TEST_CASE("without its shift the sequence is the one that is printed in books", "[sim]") {
     // Differences of digits cancel the shift: 0, 1/2, 3/4, 1/4 of the first axis become, in natural
     // order, 0, 1/2, 1/4, 3/4; of the third (Joe and Kuo's m = 1, 3) 0, 1/2, 3/4, 1/4.
-    const auto digits = [](double u) {
-        return static_cast<std::uint32_t>(u * 0x1p32 - 0.5);
-    };
+    const auto digits = [](double u) { return static_cast<std::uint32_t>(u * 0x1p32 - 0.5); };
     const auto unshifted = [&](int dimension) {
         const auto values = draws({Sampling::quasi, 4}, dimension);
         std::vector<double> plain;
@@ -117,7 +115,8 @@ TEST_CASE("an integral over six axes converges faster over spread draws than ove
         for (std::uint32_t group = 0; group < 20; ++group) {
             double mean = 0.0;
             for (int dimension = 0; dimension < 6; ++dimension)
-                for (const double u : draws({sampling, 256, group}, dimension)) mean += u * u / 256.0;
+                for (const double u : draws({sampling, 256, group}, dimension))
+                    mean += u * u / 256.0;
             sum += std::abs(mean - 2.0) / 20.0;
         }
         return sum;

@@ -18,9 +18,10 @@ namespace {
 
 void check_hash(const FinishedShard& shard) {
     if (sha256_of_file(shard.file) != shard.hash)
-        throw InputError(format("{}: its bytes are not those of its manifest's SHA-256; remove it "
-                                "and run its generate command again",
-                                shard.file.string()));
+        throw InputError(
+            format("{}: its bytes are not those of its manifest's SHA-256; remove it "
+                   "and run its generate command again",
+                   shard.file.string()));
 }
 
 std::size_t frames_in(const std::vector<FinishedShard>& shards) {
@@ -35,10 +36,8 @@ Assembled assemble(const std::vector<FinishedShard>& shards, const fs::path& fil
     SPECULA_EXPECT(!shards.empty());
     const std::size_t n_frames = frames_in(shards);
     const DatasetReader first(shards.front().file);
-    DatasetWriter out(file, {.form = first.form(),
-                             .tables = first.tables(),
-                             .n_frames = n_frames,
-                             .shard = {}});
+    DatasetWriter out(
+        file, {.form = first.form(), .tables = first.tables(), .n_frames = n_frames, .shard = {}});
     Progress progress("Assembling", "frames", n_frames);
     for (const FinishedShard& shard : shards) {
         InterruptionWatch::check();

@@ -79,13 +79,13 @@ void look_ahead(const Recipe& recipe, const GenerateRequest& request, const Libr
     const bool assembles = request.share.is_whole() && !is_folder_output(request.out);
     const double needed = one.bytes_per_frame * (n_missing + (assembles ? n_all : 0.0));
     if (request.say)
-        request.say(format(
-            "{:.0f} frames in {} shards{}: about {}, {} on {} threads; {} free", n_missing,
-            missing.size(),
-            folder.n_finished() > 0 ? format(" ({} are finished)", folder.n_finished()) : "",
-            bytes_text(one.bytes_per_frame * n_missing),
-            seconds_text(one.seconds_per_frame * n_missing / request.threads), request.threads,
-            bytes_text(free_bytes(folder.path()))));
+        request.say(
+            format("{:.0f} frames in {} shards{}: about {}, {} on {} threads; {} free", n_missing,
+                   missing.size(),
+                   folder.n_finished() > 0 ? format(" ({} are finished)", folder.n_finished()) : "",
+                   bytes_text(one.bytes_per_frame * n_missing),
+                   seconds_text(one.seconds_per_frame * n_missing / request.threads),
+                   request.threads, bytes_text(free_bytes(folder.path()))));
     check_space(folder.path(), needed);
 }
 
@@ -99,9 +99,10 @@ void record_missing(const Recipe& recipe, const GenerateRequest& request, const 
         recorder.finish();
     } catch (const SystemError& error) {
         recorder.wait();
-        throw SystemError(format("{}; {} of {} shards are finished and kept: mend it, and run the "
-                                 "same command again to resume",
-                                 error.what(), folder.n_finished(), folder.plan().n_shards()));
+        throw SystemError(
+            format("{}; {} of {} shards are finished and kept: mend it, and run the "
+                   "same command again to resume",
+                   error.what(), folder.n_finished(), folder.plan().n_shards()));
     }
 }
 

@@ -12,20 +12,20 @@ struct GenerateRequest {
 };
 
 struct GenerateReport {
-    std::filesystem::path file;       ///< the finished dataset or index; empty: of a share's shards
-    std::size_t n_frames = 0;         ///< of the whole run
-    std::size_t n_recorded = 0;       ///< frames simulated by this call
-    double bytes = 0.0;               ///< of the finished file, or of the shards of this call
-    double seconds = 0.0;             ///< of this call, forecast and assembly included
-    double peak_resident_bytes = 0.0; ///< of the process so far
-    std::string fingerprint;          ///< of all frames; empty: of a share's shards
-    std::size_t n_shards = 0;         ///< of the whole run
+    std::filesystem::path file;  ///< the finished dataset or index; empty: of a share's shards
+    std::size_t n_frames = 0;    ///< of the whole run
+    std::size_t n_recorded = 0;  ///< frames simulated by this call
+    double bytes = 0.0;          ///< of the finished file, or of the shards of this call
+    double seconds = 0.0;        ///< of this call, forecast and assembly included
+    double peak_resident_bytes = 0.0;  ///< of the process so far
+    std::string fingerprint;           ///< of all frames; empty: of a share's shards
+    std::size_t n_shards = 0;          ///< of the whole run
     std::size_t n_shards_finished = 0;
 };
 
-/// Simulates a recipe's dataset into shards, taking up what an earlier call left, and makes one file
-/// or an index of them. The same bytes for any number of threads, any shares, and any number of
-/// interruptions. Memory holds two shards at most.
+/// Simulates a recipe's dataset into shards, taking up what an earlier call left, and makes one
+/// file or an index of them. The same bytes for any number of threads, any shares, and any number
+/// of interruptions. Memory holds two shards at most.
 ///
 /// Throws InputError where the output is of another recipe or in another process's hands,
 /// SystemError for what the system refuses, Interrupted for signals; what is finished stays.

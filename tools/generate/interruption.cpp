@@ -30,8 +30,9 @@ InterruptionWatch::~InterruptionWatch() {
 
 void InterruptionWatch::check() {
     if (const int signal_number = signal_that_came)
-        throw Interrupted(signal_number,
-                          "stopped; what is finished is kept: run the same command again to resume");
+        throw Interrupted(
+            signal_number,
+            "stopped; what is finished is kept: run the same command again to resume");
 }
 
 }  // namespace specula

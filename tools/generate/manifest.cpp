@@ -43,15 +43,17 @@ void add_lines(const fs::path& file, ShardHashes& hashes) {
     for (std::string line; std::getline(text, line); ++number) {
         if (text.eof()) return;  // without its end: cut short, or on its way
         if (!is_line(line))
-            throw InputError(format("{}:{}: is not a hash and a name; remove the line, and the "
-                                    "shard it stood for is hashed anew",
-                                    file.string(), number + 1));
+            throw InputError(
+                format("{}:{}: is not a hash and a name; remove the line, and the "
+                       "shard it stood for is hashed anew",
+                       file.string(), number + 1));
         const std::string shard = line.substr(digits + 2), hash = line.substr(0, digits);
         const auto [known, is_new] = hashes.emplace(shard, hash);
         if (!is_new && known->second != hash)
-            throw InputError(format("{}: gives {} another hash than an earlier line; the same "
-                                    "sessions came out differently, so look for a broken machine",
-                                    file.string(), shard));
+            throw InputError(
+                format("{}: gives {} another hash than an earlier line; the same "
+                       "sessions came out differently, so look for a broken machine",
+                       file.string(), shard));
     }
 }
 
@@ -72,8 +74,7 @@ void append_to_manifest(const fs::path& manifest, const std::string& shard,
     const auto fail = [&](const char* what) {
         throw SystemError(manifest.string() + ": cannot " + what + ": " + std::strerror(errno));
     };
-    const int descriptor =
-        ::open(manifest.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+    const int descriptor = ::open(manifest.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
     if (descriptor == -1) fail("create");
     std::string line = line_of(shard, hash);
     char last = '\n';

@@ -26,25 +26,29 @@ bool is_shard(const fs::path& file) {
 
 void add_parts(const fs::path& folder, std::vector<Part>& parts) {
     if (!fs::is_directory(folder))
-        throw InputError(folder.string() + ": no such folder; name the folders that "
-                                           "specula generate --shard wrote");
+        throw InputError(folder.string() +
+                         ": no such folder; name the folders that "
+                         "specula generate --shard wrote");
     const ShardHashes hashes = read_manifests(folder);
     for (const auto& entry : fs::directory_iterator(folder)) {
         if (!is_shard(entry.path())) continue;
         const auto hash = hashes.find(entry.path().filename().string());
         if (hash == hashes.end())
-            throw InputError(entry.path().string() + ": no manifest tells its hash; run its "
-                                                     "generate command again");
+            throw InputError(entry.path().string() +
+                             ": no manifest tells its hash; run its "
+                             "generate command again");
         const DatasetReader in(entry.path());
         if (!in.shard())
-            throw InputError(entry.path().string() + ": does not say which sessions it holds; "
-                                                     "name folders of shards");
+            throw InputError(entry.path().string() +
+                             ": does not say which sessions it holds; "
+                             "name folders of shards");
         parts.push_back({{entry.path(), hash->second}, *in.shard()});
     }
     for (const auto& [shard, hash] : hashes)
         if (!fs::exists(folder / shard))
-            throw InputError((folder / shard).string() + ": is in the manifest, but not there; run "
-                                                         "its generate command again");
+            throw InputError((folder / shard).string() +
+                             ": is in the manifest, but not there; run "
+                             "its generate command again");
 }
 
 std::string sessions_text(std::size_t first, std::size_t end) {
@@ -90,8 +94,8 @@ void check_tiling(const std::vector<Part>& parts) {
     const std::size_t all = parts.front().span.n_in_all;
     if (end < all) gap(end, all);
     if (!gaps.empty())
-        throw InputError(format("{} of {} are missing; run the generate commands that make them",
-                                gaps, all));
+        throw InputError(
+            format("{} of {} are missing; run the generate commands that make them", gaps, all));
 }
 
 }  // namespace
@@ -107,18 +111,19 @@ MergeReport run_merge(const MergeRequest& request) {
     check_one_run(parts);
     check_tiling(parts);
     const bool keeps_shards = is_folder_output(request.out);
-    if (keeps_shards && (request.folders.size() > 1 ||
-                         !fs::equivalent(request.folders.front(), request.out)))
-        throw InputError(request.out.string() + ": is not the folder that the shards are in, where "
-                                                "they stay; name that one, or a FILE.h5");
+    if (keeps_shards &&
+        (request.folders.size() > 1 || !fs::equivalent(request.folders.front(), request.out)))
+        throw InputError(request.out.string() +
+                         ": is not the folder that the shards are in, where "
+                         "they stay; name that one, or a FILE.h5");
     if (!keeps_shards && fs::exists(request.out))
         throw InputError(request.out.string() + ": is there already; name another file");
 
     std::vector<FinishedShard> shards;
     for (const Part& part : parts) shards.push_back(part.shard);
     const InterruptionWatch watch;
-    const Assembled made = keeps_shards ? index_shards(shards, request.out)
-                                        : assemble(shards, request.out);
+    const Assembled made =
+        keeps_shards ? index_shards(shards, request.out) : assemble(shards, request.out);
     MergeReport report{.file = keeps_shards ? request.out / "index.h5" : request.out,
                        .n_shards = shards.size(),
                        .n_frames = made.n_frames,

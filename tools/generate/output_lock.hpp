@@ -11,8 +11,8 @@ class OutputLock {
   public:
     enum class Kind { alone, beside_others };
 
-    /// Throws InputError naming the holder where another process has the lock, and SystemError where
-    /// the file cannot be made.
+    /// Throws InputError naming the holder where another process has the lock, and SystemError
+    /// where the file cannot be made.
     OutputLock(const std::filesystem::path& file, Kind kind);
     ~OutputLock();
     OutputLock(const OutputLock&) = delete;

@@ -55,17 +55,18 @@ Forecast forecast(const Recipe& recipe, const Library& materials) {
 double free_bytes(const std::filesystem::path& folder) {
     struct statvfs state = {};
     if (::statvfs(folder.c_str(), &state) == -1)
-        throw SystemError(folder.string() + ": cannot ask for its free space: " +
-                          std::strerror(errno));
+        throw SystemError(folder.string() +
+                          ": cannot ask for its free space: " + std::strerror(errno));
     return static_cast<double>(state.f_bavail) * static_cast<double>(state.f_frsize);
 }
 
 void check_space(const std::filesystem::path& folder, double needed_bytes) {
     const double free = free_bytes(folder);
     if (needed_bytes > free)
-        throw SystemError(format("{}: needs about {} and has {} free; make room, write elsewhere, "
-                                 "or take fewer worlds",
-                                 folder.string(), bytes_text(needed_bytes), bytes_text(free)));
+        throw SystemError(
+            format("{}: needs about {} and has {} free; make room, write elsewhere, "
+                   "or take fewer worlds",
+                   folder.string(), bytes_text(needed_bytes), bytes_text(free)));
 }
 
 std::string bytes_text(double bytes) {

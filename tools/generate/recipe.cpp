@@ -52,10 +52,10 @@ Condition read_recordings(Section section, const std::string& name) {
     condition.frames = section.count("frames", Range::between(1, Condition::most_frames));
     condition.sessions = pieces * condition.sessions_per_piece;
     if (condition.sessions > Condition::most_sessions)
-        section.fail("sessions",
-                     format("times the samples makes {} sessions of a class in a world",
-                            condition.sessions),
-                     format("keep them to {}, and take more worlds", Condition::most_sessions));
+        section.fail(
+            "sessions",
+            format("times the samples makes {} sessions of a class in a world", condition.sessions),
+            format("keep them to {}, and take more worlds", Condition::most_sessions));
     section.finish();
     return condition;
 }
@@ -98,9 +98,10 @@ void take_dataset(Recipe& recipe, Section& root, const Catalogue& catalogue) {
 /// The firmware's transforms, of which profiles and features are made, take no complex samples.
 void check_forms(const Recipe& recipe) {
     if ((recipe.stored.profiles || recipe.stored.features) && recipe.radar.receiver.complex_samples)
-        throw InputError(format("store: range profiles and features are made of real samples, and "
-                                "the receiver of {} is complex; store \"adc\" alone",
-                                recipe.radar.name));
+        throw InputError(
+            format("store: range profiles and features are made of real samples, and "
+                   "the receiver of {} is complex; store \"adc\" alone",
+                   recipe.radar.name));
 }
 
 }  // namespace
@@ -129,7 +130,8 @@ std::size_t Recipe::n_frames() const {
 
 std::size_t Recipe::codes_per_frame() const {
     return static_cast<std::size_t>(radar.chirps_per_frame) * radar.rx.size() *
-           static_cast<std::size_t>(radar.chirp.n_samples) * (radar.receiver.complex_samples ? 2 : 1);
+           static_cast<std::size_t>(radar.chirp.n_samples) *
+           (radar.receiver.complex_samples ? 2 : 1);
 }
 
 Recipe read_recipe(const RecipeRequest& request, const Catalogue& catalogue) {
@@ -141,9 +143,10 @@ Recipe read_recipe(const RecipeRequest& request, const Catalogue& catalogue) {
         take_study(recipe, request, catalogue);
     } else {
         if (!request.condition.empty())
-            throw InputError(format("--condition {}: {} is a dataset, which has no conditions; "
-                                    "leave it out",
-                                    request.condition, request.file.string()));
+            throw InputError(
+                format("--condition {}: {} is a dataset, which has no conditions; "
+                       "leave it out",
+                       request.condition, request.file.string()));
         take_dataset(recipe, root, catalogue);
     }
     if (request.seed) recipe.seed = *request.seed;
@@ -152,8 +155,8 @@ Recipe read_recipe(const RecipeRequest& request, const Catalogue& catalogue) {
         try {
             recipe.stored = stored_forms(request.store);
         } catch (const InputError& error) {
-            throw InputError(format("--store: {}; use some of adc, profiles and features",
-                                    error.what()));
+            throw InputError(
+                format("--store: {}; use some of adc, profiles and features", error.what()));
         }
     }
     if (recipe.condition.geometry_law)

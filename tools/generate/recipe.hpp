@@ -46,8 +46,8 @@ struct Recipe {
 
 /// What a user may say besides the file.
 struct RecipeRequest {
-    std::filesystem::path file;
-    std::string condition;  ///< of a study; empty: its training recordings
+    std::filesystem::path file{};
+    std::string condition{};  ///< of a study; empty: its training recordings
     std::optional<std::uint64_t> seed{};
     std::optional<int> worlds{};
     std::vector<std::string> store{};  ///< empty: the file's

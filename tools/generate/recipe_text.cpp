@@ -32,7 +32,9 @@ std::string quoted_value(const std::string& line) {
 
 class RecipeLines {
   public:
-    void add(const std::string& key, const std::string& value) { text_ += key + " = " + value + "\n"; }
+    void add(const std::string& key, const std::string& value) {
+        text_ += key + " = " + value + "\n";
+    }
     void add_all(const std::string& prefix, const std::vector<std::string>& lines) {
         for (const std::string& line : lines) text_ += prefix + line + "\n";
     }

@@ -29,9 +29,10 @@ const char* window_name(fw_window window) {
 
 void expect_ok(fw_status status, const char* what, const Recipe& recipe) {
     if (status != FW_OK)
-        throw InputError(format("{} cannot be taken from frames of {}: {}; choose another "
-                                "[descriptor] or store = [\"adc\"]",
-                                what, recipe.radar.name, fw_status_name(status)));
+        throw InputError(
+            format("{} cannot be taken from frames of {}: {}; choose another "
+                   "[descriptor] or store = [\"adc\"]",
+                   what, recipe.radar.name, fw_status_name(status)));
 }
 
 /// Mean amplitude over chirps of every RX and bin.
@@ -68,14 +69,15 @@ void add_features(Dataset& frames, const Recipe& recipe) {
 /// What is not finite must not reach a file; readers would refuse all of it.
 void check_finite(const Dataset& frames, std::size_t session) {
     const auto finite = [](auto value) { return std::isfinite(value); };
-    bool all = std::ranges::all_of(frames.profile, finite) &&
-               std::ranges::all_of(frames.features, finite);
+    bool all =
+        std::ranges::all_of(frames.profile, finite) && std::ranges::all_of(frames.features, finite);
     for (const Truth& truth : frames.truth)
         for (const TruthColumn& column : truth_columns) all = all && finite(truth.*column.member);
     if (!all)
-        throw SystemError(format("session {}: gives a value that is not finite; this is a fault of "
-                                 "the program, please report the experiment",
-                                 session));
+        throw SystemError(
+            format("session {}: gives a value that is not finite; this is a fault of "
+                   "the program, please report the experiment",
+                   session));
 }
 
 }  // namespace

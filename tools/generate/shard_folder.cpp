@@ -24,9 +24,10 @@ void make_folder(const fs::path& folder) {
 void check_same_recipe(const fs::path& file, const std::string& there, const std::string& here) {
     const std::string difference = recipe_difference(there, here);
     if (!difference.empty())
-        throw InputError(format("{}: was made otherwise: {}; give back the same settings, or name "
-                                "another output",
-                                file.string(), difference));
+        throw InputError(
+            format("{}: was made otherwise: {}; give back the same settings, or name "
+                   "another output",
+                   file.string(), difference));
 }
 
 ShardFolder::ShardFolder(const fs::path& folder, const Recipe& recipe, const Share& share)

@@ -21,9 +21,10 @@ std::size_t whole_number(const std::string& text, const std::string& what) {
     std::size_t value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc{} || end != text.data() + text.size() || value > most_shares)
-        throw InputError(format("--shard: {} = \"{}\" is no whole number up to {}; write it as "
-                                "INDEX/COUNT, such as 0/8, or env",
-                                what, text, most_shares));
+        throw InputError(
+            format("--shard: {} = \"{}\" is no whole number up to {}; write it as "
+                   "INDEX/COUNT, such as 0/8, or env",
+                   what, text, most_shares));
     return value;
 }
 
@@ -46,8 +47,9 @@ Share of_slurm(const Variable& variable) {
     const std::size_t step = std::max<std::size_t>(1, number("SLURM_ARRAY_TASK_STEP", "1"));
     const Share share{.index = (id - first) / step, .count = number("SLURM_ARRAY_TASK_COUNT", "")};
     if (id < first || (id - first) % step != 0)
-        throw InputError("--shard env: SLURM_ARRAY_TASK_ID is not of the array that the other "
-                         "variables describe; write --shard INDEX/COUNT");
+        throw InputError(
+            "--shard env: SLURM_ARRAY_TASK_ID is not of the array that the other "
+            "variables describe; write --shard INDEX/COUNT");
     return checked(share, "env");
 }
 

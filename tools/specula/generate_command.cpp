@@ -68,15 +68,15 @@ void generate_command(const GenerateArguments& arguments, const Catalogue& catal
                                        .worlds = arguments.worlds,
                                        .store = arguments.store},
                                       catalogue);
-    const fs::path out = arguments.out.empty() ? fs::path("out") / (recipe.name + ".h5")
-                                               : arguments.out;
+    const fs::path out =
+        arguments.out.empty() ? fs::path("out") / (recipe.name + ".h5") : arguments.out;
     const auto say = [](const std::string& line) {
         std::printf("%s\n", line.c_str());
         std::fflush(stdout);
     };
-    const GenerateReport report = run_generate(
-        recipe, {.out = out, .share = share, .threads = arguments.threads, .say = say},
-        catalogue.materials);
+    const GenerateReport report =
+        run_generate(recipe, {.out = out, .share = share, .threads = arguments.threads, .say = say},
+                     catalogue.materials);
     print_report(report, arguments, out);
 }
 
@@ -85,8 +85,7 @@ void merge_command(const MergeArguments& arguments) {
     std::printf("Wrote %s: %zu frames of %zu shards, %s\nfingerprint %s\n", report.file.c_str(),
                 report.n_frames, report.n_shards, bytes_text(report.bytes).c_str(),
                 report.fingerprint.c_str());
-    if (!is_folder_output(arguments.out))
-        std::printf("The shards are no longer needed.\n");
+    if (!is_folder_output(arguments.out)) std::printf("The shards are no longer needed.\n");
 }
 
 }  // namespace specula

@@ -26,9 +26,10 @@ void add_generate(CLI::App& program, GenerateArguments& arguments) {
         ->add_option("--store", arguments.store,
                      "some of adc, profiles and features; default the file's own, or adc")
         ->delimiter(',');
-    command->add_option("--shard", arguments.share,
-                        "INDEX/COUNT, from 0/COUNT: make only this share of the shards, for specula "
-                        "merge; env: as Slurm or OpenMPI say");
+    command->add_option(
+        "--shard", arguments.share,
+        "INDEX/COUNT, from 0/COUNT: make only this share of the shards, for specula "
+        "merge; env: as Slurm or OpenMPI say");
     add_threads(command, arguments.threads);
 }
 

@@ -58,24 +58,22 @@ TEST_CASE("a merge names what is missing, twice there, foreign or damaged", "[ge
     run_generate(machines.small.read({.seed = 6}),
                  {.out = machines.small.folder / "other", .share = {1, 3}, .say = {}},
                  own_catalogue().materials);
-    CHECK(contains(machines.refusal({machines.folder(0), machines.small.folder / "other",
-                                     machines.folder(2)}),
-                   "other/shard-000001.h5: is of another run than"));
+    CHECK(contains(
+        machines.refusal({machines.folder(0), machines.small.folder / "other", machines.folder(2)}),
+        "other/shard-000001.h5: is of another run than"));
 
     const std::string whole = bytes_of(shard);
     std::string damaged = whole;
     damaged[damaged.size() / 2] ^= 1;
     std::ofstream(shard, std::ios::binary | std::ios::trunc) << damaged;
-    CHECK(contains(
-        machines.refusal({machines.folder(0), machines.folder(1), machines.folder(2)}),
-        "shard-000001.h5: "));
+    CHECK(contains(machines.refusal({machines.folder(0), machines.folder(1), machines.folder(2)}),
+                   "shard-000001.h5: "));
     CHECK_FALSE(fs::exists(machines.small.folder / "all.h5"));
 
     std::ofstream(shard, std::ios::binary | std::ios::trunc) << whole;
     fs::remove(machines.folder(1) / "manifest-1-of-3.sha256");
-    CHECK(contains(
-        machines.refusal({machines.folder(0), machines.folder(1), machines.folder(2)}),
-        "shard-000001.h5: no manifest tells its hash"));
+    CHECK(contains(machines.refusal({machines.folder(0), machines.folder(1), machines.folder(2)}),
+                   "shard-000001.h5: no manifest tells its hash"));
     CHECK(contains(machines.refusal({machines.small.folder / "nowhere"}), "no such folder"));
 }
 

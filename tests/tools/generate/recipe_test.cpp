@@ -23,16 +23,14 @@ TEST_CASE("a dataset's file says how many pieces, sessions and frames there are"
 }
 
 TEST_CASE("what is said on the command line goes before the file", "[generate]") {
-    const Recipe recipe =
-        SmallRecipe().read({.seed = 9, .worlds = 2, .store = {"profiles"}});
+    const Recipe recipe = SmallRecipe().read({.seed = 9, .worlds = 2, .store = {"profiles"}});
     CHECK(recipe.seed == 9);
     CHECK(recipe.n_sessions() == 64);
     CHECK(recipe.stored == StoredForms{.adc = false, .profiles = true});
     CHECK(recipe.condition.geometry_law->n_sessions == 32);
 }
 
-TEST_CASE("a study gives any of its conditions, by default the training recordings",
-          "[generate]") {
+TEST_CASE("a study gives any of its conditions, by default the training recordings", "[generate]") {
     const auto file = own_catalogue().experiment_file("paper");
     CHECK(read_recipe({.file = file}, own_catalogue()).condition.name == "training");
     const Recipe height = read_recipe({.file = file, .condition = "height"}, own_catalogue());
@@ -47,8 +45,9 @@ TEST_CASE("every dataset of the catalogue can be read", "[generate]") {
     REQUIRE(own_catalogue().dataset_names().size() >= 2);
     for (const std::string& name : own_catalogue().dataset_names()) {
         INFO(name);
-        CHECK(read_recipe({.file = own_catalogue().dataset_file(name)}, own_catalogue())
-                  .n_frames() > 0);
+        CHECK(
+            read_recipe({.file = own_catalogue().dataset_file(name)}, own_catalogue()).n_frames() >
+            0);
     }
 }
 
@@ -57,8 +56,7 @@ TEST_CASE("a recipe's text changes with all that decides frames, and with nothin
     const std::string plain = SmallRecipe().read().text;
     CHECK(SmallRecipe(std::string("# a remark\n") + small_recipe_text).read().text == plain);
     CHECK(SmallRecipe(with(small_recipe_text, "\"small\"", "\"other\"")).read().text == plain);
-    for (const auto& [old, instead, difference] :
-         std::vector<std::array<const char*, 3>>{
+    for (const auto& [old, instead, difference] : std::vector<std::array<const char*, 3>>{
              {"seed = 5", "seed = 6", "seed = 5 there, 6 here"},
              {"worlds = 5", "worlds = 6", "worlds = 5 there, 6 here"},
              {"frames = 2", "frames = 3", "experiment.recordings.frames = 2 there, 3 here"},
@@ -78,10 +76,12 @@ TEST_CASE("forms that do not exist are refused with those that do", "[generate]"
     CHECK(message_of([] {
               return SmallRecipe(with(small_recipe_text, "\"features\"", "\"feature\"")).read();
           }).find("holds \"feature\"; use some of \"adc\"") != std::string::npos);
-    CHECK(message_of([] { return SmallRecipe().read({.store = {"adc", "adc"}}); }) ==
-          "--store: holds \"adc\" twice; use some of adc, profiles and features");
-    CHECK(message_of([] { return SmallRecipe().read({.condition = "height"}); })
-              .find("has no conditions") != std::string::npos);
+    CHECK(message_of([] {
+              return SmallRecipe().read({.store = {"adc", "adc"}});
+          }) == "--store: holds \"adc\" twice; use some of adc, profiles and features");
+    CHECK(message_of([] {
+              return SmallRecipe().read({.condition = "height"});
+          }).find("has no conditions") != std::string::npos);
     CHECK(message_of([] {
               return SmallRecipe(with(small_recipe_text, "samples = 2", "samples = 200")).read();
           }).find("makes 1600 sessions") != std::string::npos);

@@ -57,8 +57,7 @@ TEST_CASE("a share is read from numbers, Slurm's array or OpenMPI", "[generate]"
                                       {"SLURM_ARRAY_TASK_COUNT", "4"}});
     CHECK(slurm.index == 2);
     CHECK(slurm.count == 4);
-    const Share mpi =
-        share("env", {{"OMPI_COMM_WORLD_RANK", "1"}, {"OMPI_COMM_WORLD_SIZE", "2"}});
+    const Share mpi = share("env", {{"OMPI_COMM_WORLD_RANK", "1"}, {"OMPI_COMM_WORLD_SIZE", "2"}});
     CHECK(mpi.index == 1);
     CHECK(mpi.count == 2);
 }

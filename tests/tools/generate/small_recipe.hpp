@@ -9,7 +9,8 @@
 
 namespace specula {
 
-/// A dataset of small plates: two classes, so many sessions of two frames that there are some shards.
+/// A dataset of small plates: two classes, so many sessions of two frames that there are some
+/// shards.
 inline const char* const small_recipe_text =
     "title = \"small\"\nseed = 5\nworlds = 5\nradar = \"iwrl6432boost\"\nnominal_height_mm = 450\n"
     "store = [\"adc\", \"features\"]\n"
