@@ -165,7 +165,7 @@ void show_command(const ShowArguments& arguments, const Catalogue& catalogue) {
     const fs::path path = what;
     const auto show = [&](const Material& material) { show_material(material, arguments.figure); };
     if (path.extension() == ".h5")
-        return is_sweep_hdf5(path) ? show_sweep(path) : show_dataset(path);
+        return is_sweep_hdf5(path) ? show_sweep(path) : show_dataset(path, arguments.figure);
     const auto show_warned = [](const Radar& radar) {
         for (const std::string& warning : radar.warnings) say_warning(warning);
         show_radar(radar, usual_height_m);
