@@ -19,6 +19,8 @@ struct Origin {
     std::string radar;    ///< name
     double bin_m = 0.0;   ///< range bin of an n_samples-point transform, or of a sample
     std::string source = "simulation";  ///< or "import" and the format it came in
+    /// What decides the frames of `specula generate`, one `key = value` per line; else empty.
+    std::string recipe;
 };
 
 /// What one step along the last axis of the codes is.
@@ -29,8 +31,8 @@ enum class SampleAxis {
 
 /// Frames and the truth of each. FORMAT.md describes the file.
 ///
-/// Codes, features or both: a recording that a sensor had processed already has no codes
-/// (n_samples = 0).
+/// Codes, range profiles, features, or any of them: a recording that a sensor had processed already
+/// has no codes (n_samples = 0).
 struct Dataset {
     Origin origin;
     std::vector<std::string> class_names;
@@ -39,6 +41,12 @@ struct Dataset {
     int n_samples = 0;
     std::vector<std::int16_t> adc;  ///< (frame, chirp, rx, sample), LSB
     std::vector<Truth> truth;       ///< (frame)
+
+    /// Range profiles of beat samples, mean amplitude over chirps.
+    std::vector<float> profile;   ///< (frame, rx, bin), LSB, finite; or empty
+    int n_profile_bins = 0;       ///< from bin 0
+    double profile_bin_m = 0.0;   ///< range of one bin
+    std::string profile_window;   ///< name of the window before the transform
 
     /// What only recordings have, or lack.
     SampleAxis sample_axis = SampleAxis::beat;
@@ -54,6 +62,9 @@ struct Dataset {
     std::size_t codes_per_frame() const {
         return static_cast<std::size_t>(n_chirps) * static_cast<std::size_t>(n_rx) *
                static_cast<std::size_t>(n_samples);
+    }
+    std::size_t profile_per_frame() const {
+        return static_cast<std::size_t>(n_rx) * static_cast<std::size_t>(n_profile_bins);
     }
     /// A frame as the firmware takes it; valid as long as `adc` is not touched.
     fw_frame frame(std::size_t i) const {

@@ -3,44 +3,22 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <numeric>
 
 #include "sim/core/atomic_file.hpp"
 #include "sim/core/error.hpp"
 #include "sim/core/expect.hpp"
 #include "sim/core/format.hpp"
-#include "sim/dataset/hdf5_library.hpp"
+#include "sim/dataset/hdf5_number.hpp"
 
 namespace specula {
 
 namespace {
-
-[[noreturn]] void write_failed(const std::filesystem::path& file, const std::string& object) {
-    throw SystemError(format("{}: cannot write {}: {}", file.string(), object, last_hdf5_reason()));
-}
-
-[[noreturn]] void read_failed(const std::filesystem::path& file, const std::string& object,
-                              const std::string& problem) {
-    throw InputError(format("{}: {}: {}; is it a dataset of this program, and whole?",
-                            file.string(), object, problem));
-}
 
 Hdf5Handle v110_access() {
     Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
     H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110);
     return Hdf5Handle(H5Pcopy(access), H5Pclose);
 }
-
-hid_t memory_type(const std::int16_t*) { return H5T_NATIVE_INT16; }
-hid_t memory_type(const std::int32_t*) { return H5T_NATIVE_INT32; }
-hid_t memory_type(const std::uint8_t*) { return H5T_NATIVE_UINT8; }
-hid_t memory_type(const float*) { return H5T_NATIVE_FLOAT; }
-hid_t memory_type(const double*) { return H5T_NATIVE_DOUBLE; }
-hid_t file_type(const std::int16_t*) { return H5T_STD_I16LE; }
-hid_t file_type(const std::int32_t*) { return H5T_STD_I32LE; }
-hid_t file_type(const std::uint8_t*) { return H5T_STD_U8LE; }
-hid_t file_type(const float*) { return H5T_IEEE_F32LE; }
-hid_t file_type(const double*) { return H5T_IEEE_F64LE; }
 
 void write_attribute(hid_t file, const std::filesystem::path& path, const std::string& object,
                      const std::string& name, hid_t type, hid_t space, const void* values) {
@@ -49,14 +27,7 @@ void write_attribute(hid_t file, const std::filesystem::path& path, const std::s
                           H5P_DEFAULT),
         H5Aclose);
     if (!attribute.valid() || H5Awrite(attribute, type, values) < 0)
-        write_failed(path, object + "@" + name);
-}
-
-/// gzip makes nothing smaller than a 1032nd; a table that claims more was not written in full.
-constexpr double best_compression = 1100.0;
-
-std::size_t product(const std::vector<std::size_t>& shape) {
-    return std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>());
+        hdf5_write_failed(path, object + "@" + name);
 }
 
 Hdf5Handle text_type(std::size_t size) {
@@ -92,7 +63,7 @@ Hdf5File Hdf5File::open(const std::filesystem::path& file) {
     if (!std::filesystem::is_regular_file(file, ignored))
         throw InputError(file.string() + ": no such file; check the path");
     const hid_t id = H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
-    if (id < 0) read_failed(file, "file", "cannot be opened as HDF5: " + last_hdf5_reason());
+    if (id < 0) hdf5_read_failed(file, "file", "cannot be opened as HDF5: " + last_hdf5_reason());
     return Hdf5File(file, {}, id);
 }
 
@@ -112,56 +83,66 @@ void Hdf5File::create_group(const std::string& name) {
     H5Pset_obj_track_times(creation, false);
     const Hdf5Handle group(H5Gcreate2(handle_, name.c_str(), H5P_DEFAULT, creation, H5P_DEFAULT),
                        H5Gclose);
-    if (!group.valid()) write_failed(file_, name);
+    if (!group.valid()) hdf5_write_failed(file_, name);
 }
 
 template <typename T>
-void Hdf5File::write(const std::string& name, const std::vector<std::size_t>& shape,
-                     std::size_t rows_per_chunk, const std::vector<T>& values) {
+Hdf5Table Hdf5File::create_table(const std::string& name, TableShape shape) {
     const T* type_of = nullptr;
-    SPECULA_EXPECT(values.size() == product(shape));
-    std::vector<hsize_t> size(shape.begin(), shape.end()), chunk = size;
-    chunk[0] = std::clamp<hsize_t>(rows_per_chunk, 1, std::max<hsize_t>(1, size[0]));
+    std::vector<hsize_t> size(shape.size.begin(), shape.size.end()), chunk = size;
+    chunk[0] = std::clamp<hsize_t>(shape.rows_per_chunk, 1, std::max<hsize_t>(1, size[0]));
+    shape.rows_per_chunk = chunk[0];
     const Hdf5Handle space(H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr),
-                       H5Sclose);
+                           H5Sclose);
     const Hdf5Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
     H5Pset_chunk(creation, static_cast<int>(chunk.size()), chunk.data());
     H5Pset_shuffle(creation);
     H5Pset_deflate(creation, 4);
     H5Pset_fletcher32(creation);
     H5Pset_obj_track_times(creation, false);
-    const Hdf5Handle table(H5Dcreate2(handle_, name.c_str(), file_type(type_of), space, H5P_DEFAULT,
-                                  creation, H5P_DEFAULT),
-                       H5Dclose);
-    if (!table.valid() || H5Dwrite(table, memory_type(type_of), H5S_ALL, H5S_ALL, H5P_DEFAULT,
-                                   values.data()) < 0)
-        write_failed(file_, name);
+    const hid_t table = H5Dcreate2(handle_, name.c_str(), file_type(type_of), space, H5P_DEFAULT,
+                                   creation, H5P_DEFAULT);
+    if (table < 0) hdf5_write_failed(file_, name);
+    return Hdf5Table(file_, name, table, std::move(shape));
+}
+
+template <typename T>
+void Hdf5File::write(const std::string& name, const std::vector<std::size_t>& shape,
+                     std::size_t rows_per_chunk, const std::vector<T>& values) {
+    Hdf5Table table = create_table<T>(name, {shape, rows_per_chunk});
+    SPECULA_EXPECT(values.size() == shape[0] * TableShape{shape}.values_per_row());
+    table.write_rows<T>(0, values);
+}
+
+Hdf5Table Hdf5File::table(const std::string& name) const {
+    const hid_t table = H5Dopen2(handle_, name.c_str(), H5P_DEFAULT);
+    if (table < 0) hdf5_read_failed(file_, name, "is missing");
+    Hdf5Table opened(file_, name, table, {});
+    const Hdf5Handle space(H5Dget_space(table), H5Sclose);
+    const int rank = H5Sget_simple_extent_ndims(space);
+    if (rank < 1 || rank > 8) hdf5_read_failed(file_, name, "has an odd shape");
+    std::vector<hsize_t> size(static_cast<std::size_t>(rank)), chunk(size.size(), 1);
+    H5Sget_simple_extent_dims(space, size.data(), nullptr);
+    const Hdf5Handle creation(H5Dget_create_plist(table), H5Pclose);
+    if (H5Pget_layout(creation) == H5D_CHUNKED) H5Pget_chunk(creation, rank, chunk.data());
+    opened.shape_ = {{size.begin(), size.end()}, chunk[0]};
+    return opened;
 }
 
 template <typename T>
 std::vector<T> Hdf5File::read(const std::string& name) const {
-    const T* type_of = nullptr;
-    const std::vector<std::size_t> size = shape(name);
-    const Hdf5Handle table(H5Dopen2(handle_, name.c_str(), H5P_DEFAULT), H5Dclose);
-    const Hdf5Handle type(H5Dget_type(table), H5Tclose);
-    if (H5Tequal(type, file_type(type_of)) <= 0)
-        read_failed(file_, name, "holds another type of number");
-    double bytes = sizeof(T);
-    for (const std::size_t n : size) bytes *= static_cast<double>(n);
-    if (bytes > best_compression * static_cast<double>(H5Dget_storage_size(table)))
-        read_failed(file_, name, "is larger than what the file holds of it");
-    std::vector<T> values(product(size));
-    if (H5Dread(table, memory_type(type_of), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
-        read_failed(file_, name, "cannot be read: " + last_hdf5_reason());
-    return values;
+    const Hdf5Table rows = table(name);
+    return rows.read_rows<T>(0, rows.size()[0]);
 }
 
 #define SPECULA_HDF5_TYPE(T)                                                                   \
+    template Hdf5Table Hdf5File::create_table<T>(const std::string&, TableShape);              \
     template void Hdf5File::write<T>(const std::string&, const std::vector<std::size_t>&,      \
                                      std::size_t, const std::vector<T>&);                      \
     template std::vector<T> Hdf5File::read<T>(const std::string&) const;
 SPECULA_HDF5_TYPE(std::int16_t)
 SPECULA_HDF5_TYPE(std::int32_t)
+SPECULA_HDF5_TYPE(std::uint64_t)
 SPECULA_HDF5_TYPE(std::uint8_t)
 SPECULA_HDF5_TYPE(float)
 SPECULA_HDF5_TYPE(double)
@@ -194,31 +175,38 @@ void Hdf5File::set_texts(const std::string& object, const std::string& name,
 }
 
 std::vector<std::size_t> Hdf5File::shape(const std::string& name) const {
-    const Hdf5Handle table(H5Dopen2(handle_, name.c_str(), H5P_DEFAULT), H5Dclose);
-    if (!table.valid()) read_failed(file_, name, "is missing");
-    const Hdf5Handle space(H5Dget_space(table), H5Sclose);
-    const int rank = H5Sget_simple_extent_ndims(space);
-    if (rank < 1 || rank > 8) read_failed(file_, name, "has an odd shape");
-    std::vector<hsize_t> size(static_cast<std::size_t>(rank));
-    H5Sget_simple_extent_dims(space, size.data(), nullptr);
-    return {size.begin(), size.end()};
+    return table(name).size();
+}
+
+std::vector<std::string> Hdf5File::groups() const {
+    std::vector<std::string> names;
+    H5G_info_t root;
+    H5Gget_info(handle_, &root);
+    for (hsize_t i = 0; i < root.nlinks; ++i) {
+        char name[256] = {};
+        H5Lget_name_by_idx(handle_, ".", H5_INDEX_NAME, H5_ITER_INC, i, name, sizeof name,
+                           H5P_DEFAULT);
+        const Hdf5Handle group(H5Gopen2(handle_, name, H5P_DEFAULT), H5Gclose);
+        if (group.valid()) names.push_back(name);
+    }
+    return names;
 }
 
 std::vector<std::string> Hdf5File::texts(const std::string& object, const std::string& name) const {
     const std::string what = object + "@" + name;
     const Hdf5Handle attribute(
         H5Aopen_by_name(handle_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-    if (!attribute.valid()) read_failed(file_, what, "is missing");
+    if (!attribute.valid()) hdf5_read_failed(file_, what, "is missing");
     const Hdf5Handle type(H5Aget_type(attribute), H5Tclose);
     const Hdf5Handle space(H5Aget_space(attribute), H5Sclose);
     const bool is_text = H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) == 0;
     const hssize_t n = H5Sget_simple_extent_npoints(space);
     const std::size_t length = H5Tget_size(type);
     if (!is_text || n < 1 || n > 4096 || length > (1u << 22))
-        read_failed(file_, what, "is not text of fixed length");
+        hdf5_read_failed(file_, what, "is not text of fixed length");
     std::string packed(static_cast<std::size_t>(n) * length, '\0');
     if (H5Aread(attribute, type, packed.data()) < 0)
-        read_failed(file_, what, "cannot be read: " + last_hdf5_reason());
+        hdf5_read_failed(file_, what, "cannot be read: " + last_hdf5_reason());
     std::vector<std::string> texts;
     for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) {
         std::string text = packed.substr(i * length, length);
@@ -235,19 +223,19 @@ std::string Hdf5File::text(const std::string& object, const std::string& name) c
 double Hdf5File::number(const std::string& object, const std::string& name) const {
     const Hdf5Handle attribute(
         H5Aopen_by_name(handle_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-    if (!attribute.valid()) read_failed(file_, object + "@" + name, "is missing");
+    if (!attribute.valid()) hdf5_read_failed(file_, object + "@" + name, "is missing");
     const Hdf5Handle space(H5Aget_space(attribute), H5Sclose);
     double value = 0.0;
     if (H5Sget_simple_extent_npoints(space) != 1 ||
         H5Aread(attribute, H5T_NATIVE_DOUBLE, &value) < 0)
-        read_failed(file_, object + "@" + name, "is not a number");
+        hdf5_read_failed(file_, object + "@" + name, "is not a number");
     return value;
 }
 
 void Hdf5File::publish() {
     const herr_t closed = H5Fclose(handle_);
     handle_ = -1;
-    if (closed < 0) write_failed(file_, "file");
+    if (closed < 0) hdf5_write_failed(file_, "file");
     publish_file(draft_, file_);
     draft_.clear();
 }

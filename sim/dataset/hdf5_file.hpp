@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "sim/dataset/hdf5_table.hpp"
+
 namespace specula {
 
 /// The one door to HDF5: tables of numbers with text beside them, in the house format: version 1.10
@@ -25,6 +27,9 @@ class Hdf5File {
     ~Hdf5File();  ///< an unpublished file is removed
 
     void create_group(const std::string& name);
+    /// A table to be filled by and by.
+    template <typename T>
+    Hdf5Table create_table(const std::string& name, TableShape shape);
     /// A table of `shape`, one chunk per `rows_per_chunk` rows, filled at once.
     template <typename T>
     void write(const std::string& name, const std::vector<std::size_t>& shape,
@@ -34,9 +39,12 @@ class Hdf5File {
     void set_texts(const std::string& object, const std::string& name,
                    const std::vector<std::string>& texts);
 
+    Hdf5Table table(const std::string& name) const;
     std::vector<std::size_t> shape(const std::string& name) const;
     template <typename T>
     std::vector<T> read(const std::string& name) const;
+    /// Names of the groups right below the root.
+    std::vector<std::string> groups() const;
     std::string text(const std::string& object, const std::string& name) const;
     double number(const std::string& object, const std::string& name) const;
     std::vector<std::string> texts(const std::string& object, const std::string& name) const;

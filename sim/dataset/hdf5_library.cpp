@@ -1,5 +1,8 @@
 #include "sim/dataset/hdf5_library.hpp"
 
+#include "sim/core/error.hpp"
+#include "sim/core/format.hpp"
+
 namespace specula {
 
 namespace {
@@ -26,6 +29,16 @@ std::string last_hdf5_reason() {
         },
         &reason);
     return in_one_line(reason);
+}
+
+void hdf5_write_failed(const std::filesystem::path& file, const std::string& object) {
+    throw SystemError(format("{}: cannot write {}: {}", file.string(), object, last_hdf5_reason()));
+}
+
+void hdf5_read_failed(const std::filesystem::path& file, const std::string& object,
+                      const std::string& problem) {
+    throw InputError(format("{}: {}: {}; is it a dataset of this program, and whole?",
+                            file.string(), object, problem));
 }
 
 void tame_hdf5() {

@@ -2,6 +2,7 @@
 
 #include <hdf5.h>
 
+#include <filesystem>
 #include <string>
 
 namespace specula {
@@ -25,6 +26,13 @@ class Hdf5Handle {
 
 /// The innermost reason on HDF5's error stack, in one line.
 std::string last_hdf5_reason();
+
+/// Throws SystemError `file: cannot write object: reason`.
+[[noreturn]] void hdf5_write_failed(const std::filesystem::path& file, const std::string& object);
+
+/// Throws InputError `file: object: problem`.
+[[noreturn]] void hdf5_read_failed(const std::filesystem::path& file, const std::string& object,
+                                   const std::string& problem);
 
 /// Silences HDF5's own printing and its work at exit, which crashes after a failed write. Once.
 void tame_hdf5();

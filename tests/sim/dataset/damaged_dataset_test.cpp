@@ -107,8 +107,8 @@ std::vector<Damage> damages() {
              h5.add_group("/adc");
          },
          "/adc: is missing"},
-        {"a version to come", [](Hdf5Probe& h5) { h5.put_numbers("/", "format_version", {3.0}); },
-         "/@format_version = 3"},
+        {"a version to come", [](Hdf5Probe& h5) { h5.put_numbers("/", "format_version", {4.0}); },
+         "/@format_version = 4"},
         {"a version in between",
          [](Hdf5Probe& h5) { h5.put_numbers("/", "format_version", {1.5}); },
          "/@format_version = 1.5"},
@@ -156,12 +156,13 @@ std::vector<Damage> damages() {
         {"labels of another type", [](Hdf5Probe& h5) { h5.put_claim("/label", {7}); },
          "/label: holds another type"},
     };
-    for (const std::string column : {"/label", "/group/world", "/group/frame", "/truth/bow_m"})
+    for (const std::string column : {"/label", "/group/world", "/group/frame", "/truth/bow_m",
+                                     "/frame_hash"})
         list.push_back(
             {"no " + column, [=](Hdf5Probe& h5) { h5.remove(column); }, column + ": is missing"});
     for (const std::string name :
          {"software_version", "condition", "experiment_toml", "seed", "radar", "range_bin_m",
-          "class_names", "format_version", "source", "sample_axis", "left_out"})
+          "class_names", "format_version", "source", "sample_axis", "left_out", "recipe"})
         list.push_back({"no " + name, [=](Hdf5Probe& h5) { h5.remove_attribute("/", name); },
                         "/@" + name + ": is missing"});
     return list;

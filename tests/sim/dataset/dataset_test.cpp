@@ -16,6 +16,7 @@ TEST_CASE("a dataset comes back from its file bit by bit", "[dataset]") {
 
     CHECK(read.origin.condition == written.origin.condition);
     CHECK(read.origin.experiment == written.origin.experiment);
+    CHECK(read.origin.recipe == written.origin.recipe);
     CHECK(read.origin.seed == written.origin.seed);
     CHECK(read.origin.version == written.origin.version);
     CHECK(read.origin.radar == written.origin.radar);
@@ -50,6 +51,10 @@ TEST_CASE("a recording comes back with what it has and without what it lacks", "
     CHECK(read.adc_quadrature == written.adc_quadrature);
     CHECK(read.feature_names == written.feature_names);
     CHECK(read.features == written.features);
+    CHECK(read.profile == written.profile);
+    CHECK(read.n_profile_bins == 8);
+    CHECK(read.profile_bin_m == 0.0375);
+    CHECK(read.profile_window == "blackman");
     CHECK(read.answer_names == written.answer_names);
     CHECK(read.probability == written.probability);
     CHECK(read.unknown_truth == written.unknown_truth);
@@ -60,9 +65,17 @@ TEST_CASE("a recording comes back with what it has and without what it lacks", "
         CHECK(read.truth[i].bow_m == Truth{}.bow_m);  // not known, so not written
     }
 
-    written.adc.clear();  // of a sensor that sends range profiles only
+    written.adc.clear();
     written.adc_quadrature.clear();
-    written.n_chirps = written.n_rx = written.n_samples = 0;
+    written.n_chirps = written.n_samples = 0;
+    write_dataset(folder / "a.h5", written);
+    read = read_dataset(folder / "a.h5");
+    CHECK(read.adc.empty());
+    CHECK(read.profile == written.profile);
+    CHECK(read.n_rx == 3);
+
+    written.profile.clear();  // of a sensor that sends range profiles as it likes
+    written.n_profile_bins = written.n_rx = 0;
     write_dataset(folder / "a.h5", written);
     read = read_dataset(folder / "a.h5");
     CHECK(read.adc.empty());
@@ -167,10 +180,10 @@ TEST_CASE("a fingerprint knows codes, features, labels and nothing else", "[data
     changed.adc_quadrature[0] ^= 1;
     CHECK(fingerprint(changed) != recorded);
 
-    Dataset empty;
-    CHECK(fingerprint(empty) == "cbf29ce484222325");  // the offset basis of FNV-1a, 64 bits
-    empty.adc = {0x6f66, 0x626f};                     // "foob", low byte first
-    CHECK(fingerprint(empty) == "dd120e790c2512af");  // L. C. Noll's test vectors
+    changed = made_up_recording();
+    changed.profile[0] += 1.0f;
+    CHECK(fingerprint(changed) != recorded);
+    CHECK(fingerprint(Dataset{}) == "e3b0c44298fc1c14");  // SHA-256 of nothing, FIPS 180-4
 }
 
 }  // namespace

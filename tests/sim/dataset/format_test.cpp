@@ -85,7 +85,7 @@ TEST_CASE("the attributes of the file are those that FORMAT.md lists", "[dataset
             CHECK_NOTHROW(in.number("/", row[0]));
     }
     CHECK(in.text("/", "format") == "specula-dataset");
-    CHECK(in.number("/", "format_version") == 2.0);
+    CHECK(in.number("/", "format_version") == 3.0);
     CHECK(in.text("/", "software") == "specula");
 }
 
@@ -94,7 +94,8 @@ TEST_CASE("the tables of the file are those that FORMAT.md lists", "[dataset]") 
     const Hdf5Probe probe(written.file);
     const std::map<std::string, std::size_t> lengths{{"N", 7},          {"n_chirps", 2},
                                                      {"n_rx", 3},       {"n_samples", 16},
-                                                     {"n_features", 4}, {"n_answers", 2}};
+                                                     {"n_features", 4}, {"n_answers", 2},
+                                                     {"n_bins", 8}};
 
     std::set<std::string> documented;
     const Hdf5File in = Hdf5File::open(written.file);
@@ -126,6 +127,9 @@ TEST_CASE("the tables of the file are those that FORMAT.md lists", "[dataset]") 
     for (const Row& row : table_under("What they mean"))
         if (row[1] != "-") CHECK(in.text(row[0], "units") == row[1]);
     CHECK(in.texts("/adc", "axis_labels") == Row{"frame", "chirp", "rx", "sample"});
+    CHECK(in.texts("/profile", "axis_labels") == Row{"frame", "rx", "bin"});
+    CHECK(in.text("/profile", "window") == "blackman");
+    CHECK(in.number("/profile", "bin_m") == 0.0375);
 }
 
 #endif

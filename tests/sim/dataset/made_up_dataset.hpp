@@ -17,7 +17,8 @@ inline Dataset made_up_dataset(std::size_t n_frames = 7) {
                       .seed = 18446744073709551615ull,
                       .version = "9.8.7",
                       .radar = "toy",
-                      .bin_m = 0.0390625};
+                      .bin_m = 0.0390625,
+                      .recipe = "seed = 18446744073709551615\n"};
     dataset.class_names = {"iron", "a much longer name", "Nüsse"};
     dataset.n_chirps = 2;
     dataset.n_rx = 3;
@@ -45,6 +46,11 @@ inline Dataset made_up_recording() {
     dataset.sample_axis = SampleAxis::range;
     dataset.has_views = true;
     dataset.feature_names = {"bin 0", "bin 1", "bin 2", "bin 3"};
+    dataset.n_profile_bins = 8;
+    dataset.profile_bin_m = 0.0375;
+    dataset.profile_window = "blackman";
+    for (std::size_t i = 0; i < dataset.n_frames() * dataset.profile_per_frame(); ++i)
+        dataset.profile.push_back(static_cast<float>(stream.normal()));
     for (std::size_t i = 0; i < dataset.adc.size(); ++i)
         dataset.adc_quadrature.push_back(static_cast<std::int16_t>(stream.bits() >> 16));
     for (std::size_t i = 0; i < dataset.n_frames() * 4; ++i)
