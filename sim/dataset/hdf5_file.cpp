@@ -8,6 +8,7 @@
 #include "sim/core/error.hpp"
 #include "sim/core/expect.hpp"
 #include "sim/core/format.hpp"
+#include "sim/dataset/hdf5_guard.hpp"
 #include "sim/dataset/hdf5_number.hpp"
 
 namespace specula {
@@ -22,10 +23,9 @@ Hdf5Handle v110_access() {
 
 void write_attribute(hid_t file, const std::filesystem::path& path, const std::string& object,
                      const std::string& name, hid_t type, hid_t space, const void* values) {
-    const Hdf5Handle attribute(
-        H5Acreate_by_name(file, object.c_str(), name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT,
-                          H5P_DEFAULT),
-        H5Aclose);
+    const Hdf5Handle attribute(H5Acreate_by_name(file, object.c_str(), name.c_str(), type, space,
+                                                 H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                               H5Aclose);
     if (!attribute.valid() || H5Awrite(attribute, type, values) < 0)
         hdf5_write_failed(path, object + "@" + name);
 }
@@ -62,6 +62,7 @@ Hdf5File Hdf5File::open(const std::filesystem::path& file) {
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(file, ignored))
         throw InputError(file.string() + ": no such file; check the path");
+    check_hdf5_superblock(file);
     const hid_t id = H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
     if (id < 0) hdf5_read_failed(file, "file", "cannot be opened as HDF5: " + last_hdf5_reason());
     return Hdf5File(file, {}, id);
@@ -82,7 +83,7 @@ void Hdf5File::create_group(const std::string& name) {
     const Hdf5Handle creation(H5Pcreate(H5P_GROUP_CREATE), H5Pclose);
     H5Pset_obj_track_times(creation, false);
     const Hdf5Handle group(H5Gcreate2(handle_, name.c_str(), H5P_DEFAULT, creation, H5P_DEFAULT),
-                       H5Gclose);
+                           H5Gclose);
     if (!group.valid()) hdf5_write_failed(file_, name);
 }
 
@@ -115,8 +116,7 @@ void Hdf5File::write(const std::string& name, const std::vector<std::size_t>& sh
 }
 
 Hdf5Table Hdf5File::table(const std::string& name) const {
-    const hid_t table = H5Dopen2(handle_, name.c_str(), H5P_DEFAULT);
-    if (table < 0) hdf5_read_failed(file_, name, "is missing");
+    const hid_t table = open_hdf5_table(handle_, file_, name);
     Hdf5Table opened(file_, name, table, {});
     const Hdf5Handle space(H5Dget_space(table), H5Sclose);
     const int rank = H5Sget_simple_extent_ndims(space);
@@ -135,10 +135,10 @@ std::vector<T> Hdf5File::read(const std::string& name) const {
     return rows.read_rows<T>(0, rows.size()[0]);
 }
 
-#define SPECULA_HDF5_TYPE(T)                                                                   \
-    template Hdf5Table Hdf5File::create_table<T>(const std::string&, TableShape);              \
-    template void Hdf5File::write<T>(const std::string&, const std::vector<std::size_t>&,      \
-                                     std::size_t, const std::vector<T>&);                      \
+#define SPECULA_HDF5_TYPE(T)                                                              \
+    template Hdf5Table Hdf5File::create_table<T>(const std::string&, TableShape);         \
+    template void Hdf5File::write<T>(const std::string&, const std::vector<std::size_t>&, \
+                                     std::size_t, const std::vector<T>&);                 \
     template std::vector<T> Hdf5File::read<T>(const std::string&) const;
 SPECULA_HDF5_TYPE(std::int16_t)
 SPECULA_HDF5_TYPE(std::int32_t)
@@ -166,8 +166,7 @@ void Hdf5File::set_texts(const std::string& object, const std::string& name,
     std::size_t longest = 1;
     for (const std::string& text : texts) longest = std::max(longest, text.size());
     std::string packed;
-    for (const std::string& text : texts)
-        packed += text + std::string(longest - text.size(), '\0');
+    for (const std::string& text : texts) packed += text + std::string(longest - text.size(), '\0');
     const Hdf5Handle type = text_type(longest);
     const hsize_t n = texts.size();
     const Hdf5Handle space(H5Screate_simple(1, &n, nullptr), H5Sclose);

@@ -10,7 +10,7 @@ namespace specula {
 /// What `specula augment` does to a file.
 struct AugmentRequest {
     Augmentation how = {};
-    std::string recipe = {};           ///< the steps as text, for the file
+    std::string recipe = {};      ///< the steps as text, for the file
     int copies = 1;               ///< of each frame, >= 1
     bool keeps_originals = true;  ///< each frame itself stands before its copies
     std::uint64_t seed = 1;

@@ -46,7 +46,7 @@ class Summary {
             add_quantity("sensor tilt", "deg");
         if (knows(&Truth::sample_tilt_x_rad) && knows(&Truth::sample_tilt_y_rad))
             add_quantity("sample tilt", "deg");
-        if (found_.head.n_samples > 0) add_quantity("SNR", "dB");
+        if (found_.head.n_samples > 0 || found_.head.n_profile_bins > 0) add_quantity("SNR", "dB");
     }
 
     void add(const Dataset& block) {
@@ -114,7 +114,8 @@ class Summary {
     void add_profiles(const Dataset& block) {
         const FrameProfiles profiles = frame_profiles(block, threads_);
         if (profiles.n_values == 0) return;
-        const double bin_m = block.sample_axis == SampleAxis::beat ? block.origin.bin_m : 0.0;
+        const double own_bin_m = block.n_samples == 0 ? block.profile_bin_m : block.origin.bin_m;
+        const double bin_m = block.sample_axis == SampleAxis::beat ? own_bin_m : 0.0;
         const bool knows_height = bin_m > 0.0 && !block.unknown_truth[column_of(&Truth::height_m)];
         for (std::size_t i = 0; i < block.n_frames(); ++i) {
             const Truth& truth = block.truth[i];

@@ -34,14 +34,29 @@ FrameProfiles complex_profiles(const Dataset& dataset) {
     return profiles;
 }
 
+/// Those that the file holds itself, mean over RX.
+FrameProfiles stored_profiles(const Dataset& dataset) {
+    FrameProfiles profiles{.n_values = static_cast<std::size_t>(dataset.n_profile_bins),
+                           .rows = {}};
+    profiles.rows.resize(dataset.n_frames() * profiles.n_values);
+    const auto n_rx = static_cast<std::size_t>(dataset.n_rx);
+    for (std::size_t i = 0; i < dataset.profile.size(); ++i) {
+        const std::size_t row = i / profiles.n_values;
+        profiles.rows[row / n_rx * profiles.n_values + i % profiles.n_values] +=
+            dataset.profile[i] / static_cast<float>(n_rx);
+    }
+    return profiles;
+}
+
 }  // namespace
 
 std::string profile_axis(const Dataset& dataset) {
-    if (dataset.n_samples == 0) return "feature";
+    if (dataset.n_samples == 0) return dataset.n_profile_bins > 0 ? "range bin" : "feature";
     return dataset.sample_axis == SampleAxis::range ? "sample" : "range bin";
 }
 
 FrameProfiles frame_profiles(const Dataset& dataset, int threads) {
+    if (dataset.n_samples == 0 && dataset.n_profile_bins > 0) return stored_profiles(dataset);
     const bool is_beat = dataset.sample_axis == SampleAxis::beat;
     if (dataset.n_samples > 0 && is_beat && !dataset.adc_quadrature.empty())
         return complex_profiles(dataset);

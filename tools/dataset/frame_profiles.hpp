@@ -23,7 +23,7 @@ std::string profile_axis(const Dataset& dataset);
 /// Codes of beat samples: amplitudes of all range bins, mean over chirps and RX, as the firmware
 /// computes them; complex ones by a transform of both rails, rectangular window (lengths that are
 /// powers of two from 2 to 1024, else none). Samples that are range themselves: their magnitude.
-/// Without codes: the features.
+/// Without codes: the profiles that the file holds, mean over RX; else the features.
 FrameProfiles frame_profiles(const Dataset& dataset, int threads);
 
 /// Peak of the sample's echo over the noise, in dB: the largest value within two bins of where the

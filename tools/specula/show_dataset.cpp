@@ -29,6 +29,8 @@ std::string shape_of(const DatasetSummary& summary) {
     if (head.n_samples > 0)
         text += format(" x {} chirps x {} RX x {} {}samples", head.n_chirps, head.n_rx,
                        head.n_samples, summary.quadrature[0].n == 0 ? "" : "complex ");
+    if (head.n_profile_bins > 0)
+        text += format(", range profiles of {} RX x {} bins", head.n_rx, head.n_profile_bins);
     if (!head.feature_names.empty()) text += format(" of {} features", head.feature_names.size());
     return text;
 }
@@ -67,7 +69,7 @@ void print_classes(const DatasetSummary& summary) {
 }
 
 void print_codes(const DatasetSummary& summary) {
-    if (summary.codes.empty() || summary.n_frames == 0) return;
+    if (summary.head.n_samples == 0 || summary.n_frames == 0) return;
     print_head("codes");
     for (std::size_t rx = 0; rx < summary.codes.size(); ++rx)
         print_spread(format("RX {}", rx), summary.codes[rx], "LSB");
