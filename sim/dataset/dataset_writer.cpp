@@ -138,6 +138,19 @@ class DatasetWriter::Streams {
         out_.set_text(group, name, text);
     }
 
+    void add_column(const DatasetWriter::FurtherColumn& column, const std::vector<double>& values) {
+        SPECULA_EXPECT(values.size() == n_frames_);
+        make_group(column.name.substr(0, column.name.rfind('/')));
+        out_.write(column.name, {n_frames_}, column_rows, values);
+        out_.set_text(column.name, "long_name", column.meaning);
+        out_.set_text(column.name, "units", column.unit);
+    }
+
+    void set_group_text(const std::string& group, const std::string& name, const std::string& text) {
+        make_group(group);
+        out_.set_text(group, name, text);
+    }
+
     std::string publish() {
         SPECULA_EXPECT(row_ == n_frames_);
         const auto finish = [](auto& streams) {

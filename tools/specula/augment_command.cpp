@@ -5,6 +5,7 @@
 #include "sim/dataset/dataset_reader.hpp"
 #include "tools/console/console.hpp"
 #include "tools/dataset/augment_dataset.hpp"
+#include "tools/dataset/dataset_path.hpp"
 #include "tools/specula/dataset_commands.hpp"
 
 namespace specula {
@@ -65,9 +66,10 @@ void augment_command(const AugmentArguments& arguments, const Catalogue& catalog
         request.how.steps.push_back(step_of(step));
         request.recipe += "step = \"" + step + "\"\n";
     }
-    const DatasetReader reader(arguments.data);
+    const std::filesystem::path data = dataset_file(arguments.data);
+    const DatasetReader reader(data);
     request.how.radar = radar_of(arguments, reader.form(), catalogue);
-    const std::string fingerprint = augment_dataset(arguments.data, arguments.out, request);
+    const std::string fingerprint = augment_dataset(data, arguments.out, request);
     const std::size_t per_frame =
         static_cast<std::size_t>(arguments.copies) + (arguments.without_originals ? 0 : 1);
     std::printf("Wrote %s: %zu frames of %zu, fingerprint %s\n", arguments.out.c_str(),

@@ -1,6 +1,6 @@
 #include <cstdio>
 
-#include "sim/core/error.hpp"
+#include "tools/dataset/dataset_path.hpp"
 #include "tools/specula/dataset_commands.hpp"
 
 namespace specula {
@@ -17,10 +17,8 @@ void print_fields(const DatasetDiff& diff) {
 }  // namespace
 
 int diff_command(const DiffArguments& arguments) {
-    for (const std::filesystem::path& file : {arguments.a, arguments.b})
-        if (std::filesystem::is_directory(file))
-            throw InputError(file.string() + ": is a folder; name a dataset (.h5) in it");
-    const DatasetDiff diff = diff_datasets(arguments.a, arguments.b, arguments.options);
+    const DatasetDiff diff =
+        diff_datasets(dataset_file(arguments.a), dataset_file(arguments.b), arguments.options);
     if (const FieldDifference* first = diff.first())
         std::printf("first difference: frame %zu, %s: %s against %s%s%s\n\n", first->first_frame,
                     first->first_place.c_str(), first->value_a.c_str(), first->value_b.c_str(),

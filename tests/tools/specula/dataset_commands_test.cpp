@@ -69,7 +69,7 @@ TEST_CASE("diff ends with 0, 1 or 2 and names frame, field and values", "[progra
     CHECK(contains(other.output, "1 of 12 frames differ"));
     CHECK(bench.run({"diff", "a.h5", "b.h5", "--ignore", "/adc,/frame_hash"}).status == 0);
     for (const auto& [file, problem] :
-         {std::pair{"none.h5", "none.h5: no such file"}, {".", ".: is a folder"}}) {
+         {std::pair{"none.h5", "none.h5: no such file"}, {".", ".: is a folder without index.h5"}}) {
         const Ended bad = bench.run({"diff", "a.h5", file});
         CHECK(bad.status == 2);
         CHECK(contains(bad.errors, problem));
