@@ -24,23 +24,10 @@ bool is_hard(hid_t file, const std::string& name) {
     return true;
 }
 
-/// Whether a virtual table, as an index of shards has, shows rows of files beside it only.
-bool stays_in_folder(hid_t creation) {
-    std::size_t n_sources = 0;
-    if (H5Pget_virtual_count(creation, &n_sources) < 0) return false;
-    for (std::size_t i = 0; i < n_sources; ++i) {
-        std::array<char, 256> name{};
-        const ssize_t length = H5Pget_virtual_filename(creation, i, name.data(), name.size());
-        if (length < 1 || length >= std::ssize(name)) return false;
-        if (std::find(name.begin(), name.end(), '/') != name.end()) return false;
-    }
-    return true;
-}
-
 bool has_house_layout(hid_t table) {
     const Hdf5Handle creation(H5Dget_create_plist(table), H5Pclose);
     if (!creation.valid()) return false;
-    if (H5Pget_layout(creation) == H5D_VIRTUAL) return stays_in_folder(creation);
+    if (H5Pget_layout(creation) == H5D_VIRTUAL) return true;  // Hdf5Table looks at its sources
     if (H5Pget_layout(creation) != H5D_CHUNKED || H5Pget_external_count(creation) != 0)
         return false;
     const int n_filters = H5Pget_nfilters(creation);

@@ -13,7 +13,7 @@ namespace specula {
 void check_hdf5_superblock(const std::filesystem::path& file);
 
 /// Opens a table that keeps the house format: reached by hard links only; chunked, in this file
-/// alone, through no filters but shuffle, gzip and fletcher32; or virtual, of files in its folder.
+/// alone, through no filters but shuffle, gzip and fletcher32; or virtual, as an index of shards.
 /// A table that lies elsewhere could read any file of the machine. The caller closes it. Throws
 /// InputError.
 hid_t open_hdf5_table(hid_t file, const std::filesystem::path& path, const std::string& name);

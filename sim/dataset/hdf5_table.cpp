@@ -79,8 +79,6 @@ void Hdf5Table::write_chunk(std::size_t row, std::span<const std::uint8_t> chunk
 }
 
 void Hdf5Table::check_claim(double bytes_per_value) const {
-    const Hdf5Handle creation(H5Dget_create_plist(handle_), H5Pclose);
-    if (H5Pget_layout(creation) == H5D_VIRTUAL) return;  // holds nothing itself
     double bytes = bytes_per_value;
     for (const std::size_t n : shape_.size) bytes *= static_cast<double>(n);
     if (bytes > best_compression * static_cast<double>(H5Dget_storage_size(handle_)))

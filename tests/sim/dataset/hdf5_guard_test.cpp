@@ -96,28 +96,6 @@ TEST_CASE("a table whose numbers lie in another file is not read", "[dataset]") 
     CHECK(refusal(file).find("/adc: is stored in a way") != std::string::npos);
 }
 
-TEST_CASE("a virtual table may show files beside it, and no others", "[dataset]") {
-    const TemporaryFolder folder;
-    write_dataset(folder / "beside.h5", made_up_dataset());
-    for (const bool beside : {true, false}) {
-        const std::string source = beside ? "beside.h5" : (folder / "beside.h5").string();
-        const fs::path file = spoilt(folder, [&](hid_t id) {
-            H5Ldelete(id, "/label", H5P_DEFAULT);
-            const hsize_t size = 7;
-            const hid_t space = H5Screate_simple(1, &size, nullptr);
-            const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
-            H5Pset_virtual(creation, space, source.c_str(), "/label", space);
-            H5Dclose(
-                H5Dcreate2(id, "/label", H5T_STD_U8LE, space, H5P_DEFAULT, creation, H5P_DEFAULT));
-            H5Pclose(creation);
-            H5Sclose(space);
-        });
-        INFO(refusal(file));
-        const bool refused = refusal(file).find("/label: is stored in a way") != std::string::npos;
-        CHECK(refused == !beside);
-    }
-}
-
 #endif
 
 }  // namespace
