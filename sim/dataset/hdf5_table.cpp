@@ -116,8 +116,8 @@ void Hdf5Table::read_chunk(std::size_t row, std::vector<std::uint8_t>& bytes) co
         hdf5_read_failed(file_, name_, "has a chunk that cannot be read");
 }
 
-#define SPECULA_TABLE_TYPE(T)                                                \
-    template void Hdf5Table::write_rows<T>(std::size_t, std::span<const T>); \
+#define SPECULA_TABLE_TYPE(T)                                                                 \
+    template void Hdf5Table::write_rows<T>(std::size_t, std::span<const T>);                  \
     template std::vector<T> Hdf5Table::read_rows<T>(std::size_t, std::size_t) const;
 SPECULA_TABLE_TYPE(std::int16_t)
 SPECULA_TABLE_TYPE(std::int32_t)
