@@ -124,6 +124,19 @@ class DatasetWriter::Streams {
     /// Frames from the next one on that are in the same chunks as it.
     std::size_t until_boundary() const { return profile_rows - row_ % profile_rows; }
 
+    void add_column(const DatasetWriter::FurtherColumn& column, const std::vector<double>& values) {
+        SPECULA_EXPECT(values.size() == n_frames_);
+        make_group(column.name.substr(0, column.name.rfind('/')));
+        out_.write(column.name, {n_frames_}, column_rows, values);
+        out_.set_text(column.name, "long_name", column.meaning);
+        out_.set_text(column.name, "units", column.unit);
+    }
+
+    void set_group_text(const std::string& group, const std::string& name, const std::string& text) {
+        make_group(group);
+        out_.set_text(group, name, text);
+    }
+
     std::string publish() {
         SPECULA_EXPECT(row_ == n_frames_);
         const auto finish = [](auto& streams) {
@@ -167,6 +180,11 @@ class DatasetWriter::Streams {
             out_.set_texts("/probability", "class_names", form.answer_names);
         }
     }
+    void make_group(const std::string& name) {
+        if (std::find(groups_.begin(), groups_.end(), name) != groups_.end()) return;
+        out_.create_group(name);
+        groups_.push_back(name);
+    }
     void create_ids(const IdColumn& id) {
         ids_.push_back({id.member, column<std::int32_t>(id.name)});
         out_.set_text(id.name, "long_name", id.meaning);
@@ -189,6 +207,7 @@ class DatasetWriter::Streams {
     std::vector<ColumnStream<std::uint8_t>> label_;
     std::vector<ColumnStream<std::int32_t>> ids_;
     std::vector<ColumnStream<double>> truth_;
+    std::vector<std::string> groups_;  ///< made besides those of the format
     Fingerprint fingerprint_;
 };
 
@@ -203,6 +222,15 @@ void DatasetWriter::append(const FrameBlock& block) {
         streams_->add(block, first, last);
         first = last;
     }
+}
+
+void DatasetWriter::add_column(const FurtherColumn& column, const std::vector<double>& values) {
+    streams_->add_column(column, values);
+}
+
+void DatasetWriter::set_group_text(const std::string& group, const std::string& name,
+                                   const std::string& text) {
+    streams_->set_group_text(group, name, text);
 }
 
 std::string DatasetWriter::publish() {

@@ -38,6 +38,17 @@ class DatasetWriter {
     DatasetWriter& operator=(const DatasetWriter&) = delete;
 
     void append(const FrameBlock& block);
+    /// A column beside those of the format, one number per frame, in a group of its own, which is
+    /// made; readers that do not know it pass it over.
+    struct FurtherColumn {
+        std::string name;  ///< path, e.g. "/augmentation/copy"
+        std::string unit;
+        std::string meaning;
+    };
+    void add_column(const FurtherColumn& column, const std::vector<double>& values);
+    /// A text of such a group.
+    void set_group_text(const std::string& group, const std::string& name, const std::string& text);
+
     /// After the last frame: puts the file in place, whole and on the disk. Returns the fingerprint
     /// of all frames.
     std::string publish();

@@ -8,6 +8,7 @@
 #include "sim/core/error.hpp"
 #include "sim/core/expect.hpp"
 #include "sim/core/format.hpp"
+#include "sim/dataset/hdf5_guard.hpp"
 #include "sim/dataset/hdf5_number.hpp"
 
 namespace specula {
@@ -61,6 +62,7 @@ Hdf5File Hdf5File::open(const std::filesystem::path& file) {
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(file, ignored))
         throw InputError(file.string() + ": no such file; check the path");
+    check_hdf5_superblock(file);
     const hid_t id = H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
     if (id < 0) hdf5_read_failed(file, "file", "cannot be opened as HDF5: " + last_hdf5_reason());
     return Hdf5File(file, {}, id);
@@ -114,8 +116,7 @@ void Hdf5File::write(const std::string& name, const std::vector<std::size_t>& sh
 }
 
 Hdf5Table Hdf5File::table(const std::string& name) const {
-    const hid_t table = H5Dopen2(handle_, name.c_str(), H5P_DEFAULT);
-    if (table < 0) hdf5_read_failed(file_, name, "is missing");
+    const hid_t table = open_hdf5_table(handle_, file_, name);
     Hdf5Table opened(file_, name, table, {});
     const Hdf5Handle space(H5Dget_space(table), H5Sclose);
     const int rank = H5Sget_simple_extent_ndims(space);

@@ -51,6 +51,15 @@ class Hdf5File {
 
     /// For the other files of this door.
     std::int64_t handle() const { return handle_; }
+    /// Paths of all tables, in the order of their names; what soft or external links lead to is
+    /// not named.
+    std::vector<std::string> tables() const;
+    /// "int16", "int32", "uint8", "uint64", "float32" or "float64"; empty: another type.
+    std::string number_type(const std::string& table) const;
+    /// Names of an object's attributes, in order.
+    std::vector<std::string> attributes(const std::string& object) const;
+    /// Any attribute as text: itself, its number, or several parted by commas.
+    std::string attribute_text(const std::string& object, const std::string& name) const;
 
     /// Closes the file, brings it to the disk and puts it under its name. Throws SystemError.
     void publish();

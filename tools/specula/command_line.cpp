@@ -16,6 +16,7 @@
 #include "tools/generate/interruption.hpp"
 #include "tools/specula/command_options.hpp"
 #include "tools/specula/commands.hpp"
+#include "tools/specula/dataset_options.hpp"
 #include "tools/specula/firmware_options.hpp"
 #include "tools/specula/home.hpp"
 #include "tools/specula/sweep_options.hpp"
@@ -75,7 +76,7 @@ void add_show(CLI::App& program, std::vector<std::string>& words, ShowArguments&
     CLI::App* command = add_command(
         program, "show", "Explain a material, a radar, an experiment, a scene or a dataset",
         "specula show material plexiglass --figure /tmp/figures\n"
-        "  specula show out/paper/datasets/height.h5");
+        "  specula show out/paper/datasets/height.h5 --figure height.svg");
     command
         ->add_option("NAME", words,
                      "a name (specula list), a .toml, .cfg or .h5 file; the kind may stand before "
@@ -84,8 +85,9 @@ void add_show(CLI::App& program, std::vector<std::string>& words, ShowArguments&
         ->expected(1, 2);
     command
         ->add_option("--figure", arguments.figure,
-                     "draw what a material reflects there, as SVG, PNG and CSV")
-        ->type_name("FOLDER");
+                     "draw what a material reflects, or what is in a dataset: a folder for SVG, PNG "
+                     "and CSV; of a dataset also one .svg or .png file")
+        ->type_name("WHERE");
 }
 
 /// "plexiglass", or with its kind before it: "material plexiglass".
@@ -222,6 +224,8 @@ int run_program(int argc, char** argv) {
     add_calibrate(program, calibration);
     LikenessArguments likeness;
     add_likeness(program, likeness);
+    DatasetArguments datasets;
+    add_dataset_commands(program, datasets);
     std::string listed, shell = "bash";
     add_command(program, "list", "List what is known by name", "specula list materials")
         ->add_option("KIND", listed, "materials, radars, experiments, datasets or sweeps")
@@ -257,7 +261,9 @@ int run_program(int argc, char** argv) {
                 export_recording_command(export_, catalogue);
             if (command == "train") train_command(training);
             if (command == "evaluate") evaluate_command(evaluation);
-            if (is_firmware_command(command) && export_.what.empty())
+            if (is_dataset_command(program))
+                status = run_dataset_command(program, datasets, catalogue);
+            else if (is_firmware_command(command) && export_.what.empty())
                 status = run_firmware_command(program, firmware, catalogue);
             if (command == "list") list_command(listed, catalogue);
             if (command == "show") show_command(with_words(show, shown), catalogue);

@@ -20,6 +20,8 @@ void completion_command(const std::string& shell, const std::vector<std::string>
         "        case ${COMP_WORDS[1]} in\n"
         "        list) words='materials radars experiments datasets sweeps' ;;\n"
         "        completion) words='bash zsh' ;;\n"
+        "        export) words='model adc dca1000 rdif injection uart infineon npy csv datasheet "
+        "croissant' ;;\n"
         "        study) kinds=experiments ;;\n"
         "        generate) kinds='datasets experiments' ;;\n"
         "        sweep) kinds=sweeps ;;\n"

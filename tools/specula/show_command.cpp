@@ -12,6 +12,7 @@
 #include "sim/mirror_foot.hpp"
 #include "sim/scene_target.hpp"
 #include "tools/console/console.hpp"
+#include "tools/dataset/dataset_path.hpp"
 #include "tools/specula/commands.hpp"
 #include "tools/specula/show_dataset.hpp"
 #include "tools/specula/show_material.hpp"
@@ -164,8 +165,9 @@ void show_command(const ShowArguments& arguments, const Catalogue& catalogue) {
     if (!arguments.kind.empty()) check_kind(arguments, catalogue);
     const fs::path path = what;
     const auto show = [&](const Material& material) { show_material(material, arguments.figure); };
+    if (fs::exists(path / "index.h5")) return show_dataset(dataset_file(path), arguments.figure);
     if (path.extension() == ".h5")
-        return is_sweep_hdf5(path) ? show_sweep(path) : show_dataset(path);
+        return is_sweep_hdf5(path) ? show_sweep(path) : show_dataset(path, arguments.figure);
     const auto show_warned = [](const Radar& radar) {
         for (const std::string& warning : radar.warnings) say_warning(warning);
         show_radar(radar, usual_height_m);

@@ -4,7 +4,9 @@
 
 namespace specula {
 
-/// Prints what a dataset holds: shape, origin, classes, codes, features, truth.
-void show_dataset(const std::filesystem::path& file);
+/// Prints what is in a dataset: shape, origin, classes, codes, truth, distributions.
+/// @in  figure  an .svg or .png file to draw range profiles and distributions in; else a folder for
+///              both and the numbers as CSV; empty: none
+void show_dataset(const std::filesystem::path& file, const std::filesystem::path& figure);
 
 }  // namespace specula

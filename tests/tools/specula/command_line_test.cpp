@@ -13,7 +13,8 @@ namespace {
 const std::vector<std::string> commands{"study",      "simulate",        "show",    "sweep",
                                         "validate",   "import",          "export",  "train",
                                         "evaluate",   "verify-firmware", "latency", "list",
-                                        "completion", "calibrate",       "likeness"};
+                                        "completion", "calibrate",       "likeness",
+                                        "diff",       "augment"};
 
 bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;

@@ -1,0 +1,124 @@
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+#include "classifier/augment.hpp"
+#include "classifier/step_draw.hpp"
+#include "sim/core/constants.hpp"
+
+namespace specula {
+
+namespace {
+
+/// sin(pi x) / (pi x)
+double sinc(double x) {
+    return std::abs(x) < 1e-9 ? 1.0 : std::sin(pi * x) / (pi * x);
+}
+
+/// Amplitude that a tone x bins away leaves in a bin behind a Blackman window, 1 at x = 0.
+/// @eq PHYSICS.md#range-profile
+double blackman_line(double x) {
+    return sinc(x) + 0.25 / 0.42 * (sinc(x - 1.0) + sinc(x + 1.0)) +
+           0.04 / 0.42 * (sinc(x - 2.0) + sinc(x + 2.0));
+}
+
+/// Deviation of either part of a bin per LSB of white noise in the samples; 1 where their number is
+/// not known, and noise is then that of the features themselves.
+double bin_noise(const RadarView& radar) {
+    constexpr double blackman = 1.8584;  // sqrt(2 * 0.3046) / 0.42: rms and mean of the window
+    return radar.n_samples > 0 ? blackman / std::sqrt(radar.n_samples) : 1.0;
+}
+
+/// A row as mean amplitude of `n_rows` phasors, to each of which something is added.
+template <typename Added>
+void add_phasors(std::span<float> row, int n_rows, const Added& added) {
+    std::vector<double> sum(row.size(), 0.0);
+    for (int each = 0; each < n_rows; ++each)
+        for (std::size_t k = 0; k < row.size(); ++k)
+            sum[k] += std::abs(static_cast<double>(row[k]) + added(each, k));
+    for (std::size_t k = 0; k < row.size(); ++k) row[k] = static_cast<float>(sum[k] / n_rows);
+}
+
+void add_noise(std::span<float> row, const RadarView& radar, double sd_lsb, Stream& stream) {
+    const double sd = sd_lsb * bin_noise(radar);
+    add_phasors(row, radar.n_rows, [&](int, std::size_t) {
+        const double re = sd * stream.normal();
+        return std::complex<double>(re, sd * stream.normal());
+    });
+}
+
+void add_tone(std::span<float> row, const RadarView& radar, const Tone& tone, Stream& stream) {
+    std::vector<std::complex<double>> phasor;
+    for (int each = 0; each < radar.n_rows; ++each)
+        phasor.push_back(std::polar(tone.amplitude_lsb, two_pi * stream.uniform()));
+    add_phasors(row, radar.n_rows, [&](int each, std::size_t k) {
+        const double bin = radar.first_bin + static_cast<double>(k);
+        return phasor[static_cast<std::size_t>(each)] * blackman_line(bin - tone.bin);
+    });
+}
+
+/// The row between its bins: Catmull and Rom's cubic, ends held.
+double value_at(const std::vector<float>& row, double at) {
+    const double last = static_cast<double>(row.size() - 1);
+    at = std::clamp(at, 0.0, last);
+    const auto k = static_cast<std::ptrdiff_t>(std::min(std::floor(at), std::max(0.0, last - 1.0)));
+    const double t = at - static_cast<double>(k);
+    const auto value = [&](std::ptrdiff_t i) {
+        return static_cast<double>(
+            row[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(i, 0, std::ssize(row) - 1))]);
+    };
+    const double a = value(k - 1), b = value(k), c = value(k + 1), d = value(k + 2);
+    const double between =
+        b + 0.5 * t * (c - a + t * (2.0 * a - 5.0 * b + 4.0 * c - d + t * (3.0 * (b - c) + d - a)));
+    return std::max(0.0, between);
+}
+
+void move_row(std::span<float> row, const RadarView& radar, const Move& move) {
+    const std::vector<float> before(row.begin(), row.end());
+    for (std::size_t k = 0; k < row.size(); ++k) {
+        const double bin = radar.first_bin + static_cast<double>(k), from = bin - move.bins;
+        const double passed =
+            move.keeps_level ? 1.0 : std::abs(high_pass_ratio(radar, from, std::max(bin, 0.5)));
+        row[k] = static_cast<float>(value_at(before, from - radar.first_bin) * move.level * passed);
+    }
+}
+
+}  // namespace
+
+std::vector<double> augment_row(std::span<float> row, const Augmentation& how, double range_m,
+                                const StreamKey& key) {
+    const RadarView& radar = how.radar;
+    if (range_m < 0.0 && needs_range(how)) {
+        const auto strongest = std::max_element(row.begin(), row.end()) - row.begin();
+        range_m = (radar.first_bin + static_cast<double>(strongest)) * radar.bin_m;
+    }
+    std::vector<double> drawn;
+    for (std::size_t i = 0; i < how.steps.size(); ++i) {
+        StepDraw draw(how.steps[i], radar, {.key = key, .step = i});
+        drawn.push_back(draw.value());
+        if (draw.is<NoiseStep>()) add_noise(row, radar, draw.value(), draw.stream());
+        if (draw.is<GainStep>())
+            for (float& value : row)
+                value = static_cast<float>(value * std::pow(10.0, draw.value() / 20.0));
+        if (const auto tone = draw.tone()) add_tone(row, radar, *tone, draw.stream());
+        if (const auto move = draw.move(range_m)) {
+            move_row(row, radar, *move);
+            range_m += draw.value();
+        }
+    }
+    return drawn;
+}
+
+FeatureTable augmented(const FeatureTable& rows, const Augmentation& how, const StreamKey& key) {
+    FeatureTable changed = rows;
+    constexpr double unknown_range_m = -1.0;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        StreamKey own = key;
+        own.item += static_cast<std::uint32_t>(i);
+        augment_row(std::span(changed.features).subspan(i * rows.n_features, rows.n_features), how,
+                    unknown_range_m, own);
+    }
+    return changed;
+}
+
+}  // namespace specula

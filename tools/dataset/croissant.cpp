@@ -1,0 +1,184 @@
+#include <sys/stat.h>
+
+#include <charconv>
+#include <cstdlib>
+#include <ctime>
+#include <nlohmann/json.hpp>
+
+#include "sim/core/atomic_file.hpp"
+#include "sim/core/error.hpp"
+#include "sim/core/format.hpp"
+#include "sim/dataset/dataset_reader.hpp"
+#include "sim/dataset/sha256.hpp"
+#include "tools/dataset/dataset_documents.hpp"
+#include "tools/dataset/document_folder.hpp"
+
+namespace specula {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* conforms_to = "http://mlcommons.org/croissant/1.0";
+
+/// The context of the standard's appendix 1, for the terms that are used here.
+Json context() {
+    Json terms = {{"@language", "en"},
+                  {"@vocab", "https://schema.org/"},
+                  {"cr", "http://mlcommons.org/croissant/"},
+                  {"sc", "https://schema.org/"},
+                  {"dct", "http://purl.org/dc/terms/"},
+                  {"conformsTo", "dct:conformsTo"},
+                  {"data", {{"@id", "cr:data"}, {"@type", "@json"}}},
+                  {"dataType", {{"@id", "cr:dataType"}, {"@type", "@vocab"}}}};
+    for (const char* term : {"citeAs", "column", "extract", "field", "fileObject", "key",
+                             "recordSet", "references", "repeated", "source"})
+        terms[term] = std::string("cr:") + term;
+    return terms;
+}
+
+/// Day of a file in UTC, as 2026-01-31.
+std::string day_of(const std::filesystem::path& file) {
+    struct stat status {};
+    if (::stat(file.c_str(), &status) != 0) throw InputError(file.string() + ": no such file");
+    std::time_t time = status.st_mtime;
+    if (const char* epoch = std::getenv("SOURCE_DATE_EPOCH")) {
+        const std::string_view text(epoch);
+        std::from_chars(text.data(), text.data() + text.size(), time);
+    }
+    std::tm day{};
+    ::gmtime_r(&time, &day);
+    return format("{:04}-{:02}-{:02}", day.tm_year + 1900, day.tm_mon + 1, day.tm_mday);
+}
+
+struct Described {
+    const std::filesystem::path& file;
+    const Hdf5File& in;
+    std::string id() const { return file.filename().string(); }
+};
+
+std::string attribute_or(const Described& from, const std::string& object, const char* name,
+                         const std::string& otherwise) {
+    for (const std::string& each : from.in.attributes(object))
+        if (each == name) return from.in.attribute_text(object, name);
+    return otherwise;
+}
+
+/// A table as a field: what it means, its type, and where in the file it lies.
+Json field_of(const Described& from, const std::string& table) {
+    const std::string type = from.in.number_type(table);
+    const bool is_float = type.rfind("float", 0) == 0;
+    const auto shape = from.in.shape(table);
+    std::string meaning = attribute_or(from, table, "long_name", table.substr(1));
+    if (const std::string unit = attribute_or(from, table, "units", ""); !unit.empty())
+        meaning += ", in " + unit;
+    for (std::size_t axis = 1; axis < shape.size(); ++axis)
+        meaning += (axis == 1 ? "; shape of a frame's: " : " x ") + std::to_string(shape[axis]);
+    Json field = {{"@type", "cr:Field"},
+                  {"@id", "frames" + table},
+                  {"name", table.substr(1)},
+                  {"description", meaning + " (" + type + ")"},
+                  {"dataType", is_float ? "sc:Float" : "sc:Integer"}};
+    if (shape.size() > 1) field["repeated"] = true;
+    field["source"] = {{"fileObject", {{"@id", from.id()}}}, {"extract", {{"column", table}}}};
+    if (table == "/label") field["references"] = {{"field", {{"@id", "classes/index"}}}};
+    return field;
+}
+
+Json frames_of(const Described& from) {
+    Json fields = Json::array();
+    for (const std::string& table : from.in.tables()) fields.push_back(field_of(from, table));
+    return {{"@type", "cr:RecordSet"},
+            {"@id", "frames"},
+            {"name", "frames"},
+            {"description",
+             "One record per frame: row i of every table of the HDF5 file. The column of a source "
+             "is the path of a table in it; Croissant 1.0 has no other word for that."},
+            {"field", fields}};
+}
+
+Json classes_of(const std::vector<std::string>& names) {
+    Json data = Json::array();
+    for (std::size_t i = 0; i < names.size(); ++i)
+        data.push_back({{"classes/index", i}, {"classes/name", names[i]}});
+    const auto field = [](const char* id, const char* name, const char* type) {
+        return Json{{"@type", "cr:Field"}, {"@id", id}, {"name", name}, {"dataType", type}};
+    };
+    return {
+        {"@type", "cr:RecordSet"},
+        {"@id", "classes"},
+        {"name", "classes"},
+        {"description", "What the numbers of frames/label stand for."},
+        {"key", {{"@id", "classes/index"}}},
+        {"field",
+         {field("classes/index", "index", "sc:Integer"), field("classes/name", "name", "sc:Text")}},
+        {"data", data}};
+}
+
+Json file_of(const Described& from) {
+    return {{"@type", "cr:FileObject"},
+            {"@id", from.id()},
+            {"name", from.id()},
+            {"description", "HDF5 1.10, format " + from.in.text("/", "format") + " version " +
+                                from.in.attribute_text("/", "format_version")},
+            {"contentUrl", from.id()},
+            {"contentSize", format("{} B", std::filesystem::file_size(from.file))},
+            {"encodingFormat", "application/x-hdf5"},
+            {"sha256", sha256_of_file(from.file)}};
+}
+
+bool is_url(const std::string& text) {
+    return text.rfind("http://", 0) == 0 || text.rfind("https://", 0) == 0;
+}
+
+Json license_of(const DocumentOptions& options) {
+    if (is_url(options.license)) return options.license;
+    return {{"@type", "sc:CreativeWork"},
+            {"name", options.license.empty() ? "not chosen by the maker yet" : options.license}};
+}
+
+}  // namespace
+
+std::string croissant_of(const std::filesystem::path& dataset, const DocumentOptions& options) {
+    const DatasetReader reader(dataset);
+    const Hdf5File in = Hdf5File::open(dataset);
+    const Described from{dataset, in};
+    const Origin& origin = reader.form().origin;
+    const bool simulated = origin.source == "simulation";
+    const Json description = {
+        {"@context", context()},
+        {"@type", "sc:Dataset"},
+        {"name", dataset.stem().string()},
+        {"description",
+         format("{} frames of FMCW radar over material samples, condition \"{}\", radar {}, {} "
+                "classes; {} with specula {}. DATASHEET.md says more.",
+                reader.n_frames(), origin.condition, origin.radar, reader.form().class_names.size(),
+                simulated ? "simulated" : origin.source, origin.version)},
+        {"conformsTo", conforms_to},
+        {"license", license_of(options)},
+        {"url", options.url.empty() ? "./" : options.url},
+        {"creator",
+         {{"@type", "sc:Organization"},
+          {"name", options.creator.empty() ? "not told; written by specula " + origin.version
+                                           : options.creator}}},
+        {"datePublished", day_of(dataset)},
+        {"version", "1.0.0"},
+        {"keywords",
+         {"FMCW radar", "millimetre wave", "material classification",
+          simulated ? "simulation" : "recording"}},
+        {"distribution", {file_of(from)}},
+        {"recordSet", {frames_of(from), classes_of(reader.form().class_names)}}};
+    return description.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::filesystem::path write_croissant(const std::filesystem::path& dataset,
+                                      const std::filesystem::path& folder,
+                                      const DocumentOptions& options) {
+    const std::filesystem::path out = document_in(
+        folder, {.name = "croissant.json",
+                 .mark = format("\"contentUrl\": {}", Json(dataset.filename().string()).dump())});
+    write_file_atomically(out, croissant_of(dataset, options));
+    return out;
+}
+
+}  // namespace specula
