@@ -9,7 +9,8 @@
 namespace specula {
 
 /// A value, or the law it is drawn from. In TOML, with the unit of the key:
-/// `2.0`, `{ uniform = [a, b] }`, `{ normal = [mean, sd] }`, `{ factor = [median, ratio] }`.
+/// `2.0`, `{ uniform = [a, b] }`, `{ normal = [mean, sd] }`, `{ factor = [median, ratio] }`,
+/// `{ log_normal = [median, sd of the logarithm] }`, `{ choice = [a, b, ...] }`.
 class Distribution {
   public:
     struct Fixed {
@@ -25,7 +26,11 @@ class Distribution {
     struct Factor {
         double median, ratio;
     };
-    using Law = std::variant<Fixed, Uniform, Normal, Factor>;
+    /// One of some values, each as likely.
+    struct Choice {
+        std::vector<double> values;  ///< at least one
+    };
+    using Law = std::variant<Fixed, Uniform, Normal, Factor, Choice>;
 
     Distribution(double value = 0.0) : law_(Fixed{value}) {}
     explicit Distribution(Law law) : law_(law) {}
@@ -33,6 +38,8 @@ class Distribution {
     /// Advances the stream by the same amount whatever the law, so that changing one law in a file
     /// changes no other draw.
     double sample(Stream& stream) const;
+    /// The value below which a share `u` of all draws lies, u in (0, 1).
+    double quantile(double u) const;
     double median() const;
     /// The standard deviation (Factor: of the natural logarithm).
     double spread() const;
@@ -40,6 +47,21 @@ class Distribution {
 
   private:
     Law law_;
+};
+
+/// How the draws of several items are spread over a law.
+enum class Sampling {
+    random,      ///< independent of each other
+    stratified,  ///< one in each of as many equally likely parts as there are items
+    quasi,       ///< a low-discrepancy sequence: evenly spread, however many items there are
+    grid,        ///< the values of a choice in turn
+};
+
+/// A law of a number that many items share. In TOML a law as above with `sampling = "..."` in it,
+/// or `{ grid = [a, b, ...] }`.
+struct SampledLaw {
+    Distribution law;
+    Sampling sampling = Sampling::random;
 };
 
 }  // namespace specula

@@ -63,6 +63,10 @@ class Section {
     /// A law for a number without unit.
     Distribution factor(const std::string& key, Range range, const Distribution& fallback);
 
+    /// A law that may say how the draws of many items are spread over it.
+    SampledLaw sampled_law(const std::string& name, Unit unit, Range range,
+                           const Distribution& fallback);
+
     /// Arrays; `size` 0 accepts any length but zero.
     std::vector<double> numbers(const std::string& key, std::size_t size, Range range);
     std::vector<double> quantities(const std::string& name, Unit unit, std::size_t size,
@@ -88,6 +92,10 @@ class Section {
     /// The same for a quantity, under the key that the file gives it.
     [[noreturn]] void fail_quantity(const std::string& name, Unit unit, const std::string& problem,
                                     const std::string& remedy) const;
+
+    /// All values below this section in the order of their keys, one `a.b[0].c = value` per line:
+    /// the same for files that differ in nothing but comments, order and spaces.
+    std::vector<std::string> value_lines() const;
 
     const std::string& file() const;
     /// The whole text of the file, byte for byte.

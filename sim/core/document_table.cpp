@@ -182,40 +182,4 @@ std::vector<double> Section::Table::checked_numbers(const Named& named, std::siz
     return values;
 }
 
-Distribution Section::Table::checked_law(const Named& named, const Range& range) const {
-    const toml::table* law = named.node->as_table();
-    if (!law) return checked_number(named, *named.node, range);
-    if (law->size() == 1) {
-        const std::string name(law->begin()->first.str());
-        const toml::node& node = law->begin()->second;
-        const Named inner{named.key + "." + name, &node, named.to_si, named.unit};
-        if (name == "uniform") {
-            const auto v = checked_numbers(inner, 2, range);
-            if (!(v[0] <= v[1]))
-                fail(inner.key, &node, "runs backwards", "put the smaller value first");
-            return Distribution(Distribution::Uniform{v[0], v[1]});
-        }
-        if (name == "normal") {
-            const auto v = checked_numbers(inner, 2, Range::any());
-            if (!range.holds(v[0]) || !(v[1] >= 0.0))
-                fail(inner.key, &node, "is out of range",
-                     "give [mean, standard deviation]: a mean " +
-                         described(range, named.to_si, named.unit) +
-                         ", a standard deviation at least 0");
-            return Distribution(Distribution::Normal{v[0], v[1]});
-        }
-        if (name == "factor") {
-            const Named plain{inner.key, &node, 1.0, ""};
-            const auto v = checked_numbers(plain, 2, Range::above(0.0));
-            if (!range.holds(v[0] * named.to_si) || !(v[1] >= 1.0))
-                fail(inner.key, &node, "is out of range",
-                     "give [median, ratio]: a median " + described(range, named.to_si, named.unit) +
-                         ", a ratio at least 1");
-            return Distribution(Distribution::Factor{v[0] * named.to_si, v[1]});
-        }
-    }
-    fail(named.key, named.node, "is not a value or a law",
-         "write a number, { uniform = [low, high] }, { normal = [mean, sd] } or "
-         "{ factor = [median, ratio] }");
-}
 }  // namespace specula

@@ -49,6 +49,7 @@ struct Section::Table {
     std::vector<double> checked_numbers(const Named& named, std::size_t size,
                                         const Range& range) const;
     Distribution checked_law(const Named& named, const Range& range) const;
+    SampledLaw checked_sampled_law(const Named& named, const Range& range) const;
 };
 
 /// A value as the user wrote it, for messages: one line of at most 80 bytes.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <vector>
 
 #include "tests/check.hpp"
@@ -82,6 +83,34 @@ TEST_CASE("a factor law is positive, and as often above its median as below", "[
           5.0 * std::sqrt(share * (1.0 - share) / n_draws));
 }
 
+TEST_CASE("a choice gives each of its values as often, and nothing else", "[distribution]") {
+    const Distribution law(Distribution::Choice{{3.0, 4.0, 6.0, 8.0}});
+    std::map<double, int> times;
+    for (const double value : sorted_draws(law)) ++times[value];
+    CHECK(times.size() == 4);
+    for (const double value : {3.0, 4.0, 6.0, 8.0})  // five standard errors of a quarter
+        CHECK(std::abs(times[value] - n_draws / 4) < 5.0 * std::sqrt(n_draws * 0.25 * 0.75));
+    CHECK(law.median() == 4.0);
+    CHECK(law.spread() ==
+          Approx(std::sqrt((2.25 * 2.25 + 1.25 * 1.25 + 0.75 * 0.75 + 2.75 * 2.75) / 4)));
+}
+
+TEST_CASE("a quantile is the inverse of the share below it", "[distribution]") {
+    const Distribution normal(Distribution::Normal{1.0, 2.0});
+    for (const double u : {1e-9, 0.01, 0.3, 0.5, 0.8, 0.999999}) {
+        const double below = 0.5 * std::erfc(-(normal.quantile(u) - 1.0) / 2.0 / std::sqrt(2.0));
+        CHECK(below == Approx(u).epsilon(1e-12));
+    }
+    // Abramowitz and Stegun, table 26.5: Phi(1.959964) = 0.975.
+    CHECK(normal.quantile(0.975) == Approx(1.0 + 2.0 * 1.959963985).epsilon(1e-9));
+    CHECK(Distribution(Distribution::Uniform{2.0, 6.0}).quantile(0.25) == 3.0);
+    CHECK(Distribution(Distribution::Factor{5.0, 1.5}).quantile(0.5) == Approx(5.0));
+    CHECK(Distribution(Distribution::Factor{5.0, 1.5}).quantile(0.8413447461) == Approx(7.5));
+    CHECK(Distribution(Distribution::Choice{{7.0, 8.0}}).quantile(0.49) == 7.0);
+    CHECK(Distribution(Distribution::Choice{{7.0, 8.0}}).quantile(0.51) == 8.0);
+    CHECK(Distribution(9.0).quantile(0.3) == 9.0);
+}
+
 TEST_CASE("laws without spread give their median exactly", "[distribution]") {
     for (const Distribution& law : {Distribution(Distribution::Uniform{3.0, 3.0}),
                                     Distribution(Distribution::Normal{3.0, 0.0}),
@@ -95,7 +124,8 @@ TEST_CASE("laws without spread give their median exactly", "[distribution]") {
 TEST_CASE("changing one law changes no later draw", "[distribution]") {
     const Distribution laws[]{Distribution(1.0), Distribution(Distribution::Uniform{0.0, 1.0}),
                               Distribution(Distribution::Normal{0.0, 1.0}),
-                              Distribution(Distribution::Factor{1.0, 2.0})};
+                              Distribution(Distribution::Factor{1.0, 2.0}),
+                              Distribution(Distribution::Choice{{1.0, 2.0}})};
     std::vector<std::vector<double>> after;
     for (const Distribution& law : laws) {
         Stream stream({.seed = 2, .purpose = "order"});
