@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "scenes/pose.hpp"
 #include "scenes/radar.hpp"
+#include "sim/geometry_law.hpp"
 
 namespace specula {
 
@@ -20,6 +22,8 @@ struct Condition {
     Vector3 pivot_m = Vector3::Zero();
     bool new_samples = false;          ///< other pieces than those of the training recordings
     int sessions = 1;                  ///< per class, height and tilt
+    int sessions_per_piece = 1;        ///< that new samples stay for
+    std::optional<GeometryLaw> geometry_law{};  ///< instead of heights and tilts
     int frames = 1;                    ///< per session
 
     static constexpr int most_sessions = 1024;  ///< over heights and tilts, per class
@@ -28,7 +32,7 @@ struct Condition {
 
     int geometries() const { return static_cast<int>(heights_m.size() * tilts_rad.size()); }
     int sessions_per_class() const { return geometries() * sessions; }
-    /// The pose of the bench drawing for session number `session` in [0, sessions_per_class()).
+    /// Without a geometry law: the pose of the bench drawing for session number `session` in [0, sessions_per_class()).
     Pose pose(int session) const;
 };
 

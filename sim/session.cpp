@@ -36,7 +36,19 @@ std::int32_t over_worlds(std::uint32_t number, const SessionId& id) {
 /// and session for the new.
 int piece_of(const Condition& condition, const SessionId& id) {
     if (!condition.new_samples) return id.label;
-    return (1 + id.session) * 64 + id.label + (condition.number << 16);
+    return (1 + id.session / condition.sessions_per_piece) * 64 + id.label +
+           (condition.number << 16);
+}
+
+/// How sensor and sample were to stand, before anybody put them so.
+Pose asked_pose(const Bench& bench, const Condition& condition, const SessionId& id) {
+    if (!condition.geometry_law) return condition.pose(id.session);
+    const int index = id.world * condition.sessions_per_class() + id.session;
+    return condition.geometry_law->pose(
+        {.seed = bench.seed,
+         .group = static_cast<std::uint32_t>(id.label),
+         .index = static_cast<std::uint32_t>(index),
+         .n = static_cast<std::uint32_t>(condition.geometry_law->n_sessions)});
 }
 
 /// A short correlation scatters next to nothing; none at all would divide by zero.
@@ -67,6 +79,7 @@ Sample draw_sample(const Bench& bench, const Condition& condition, const Session
 
 /// The board's state and the sample's place for one session.
 struct Placed {
+    Pose asked;
     Pose pose;
     double gain_db = 0.0;
     BoardDrift board;
@@ -76,7 +89,7 @@ Placed draw_placement(const Bench& bench, const Condition& condition, const Sess
     const SessionLaw& law = bench.population.session;
     Stream stream(key_of(bench, id, "placement", item_of(condition, id)));
     Placed placed;
-    placed.pose = condition.pose(id.session);
+    placed.pose = placed.asked = asked_pose(bench, condition, id);
     placed.pose.height_m += law.height_m.sample(stream);
     placed.pose.sample.about_x_rad += law.tilt_rad.sample(stream);
     placed.pose.sample.about_y_rad += law.tilt_rad.sample(stream);
@@ -115,14 +128,15 @@ FrameState draw_frame(const FrameLaw& law, const StreamKey& key) {
 }
 
 Truth session_truth(const Condition& condition, const SessionId& id, const Sample& sample,
-                    const Pose& pose) {
+                    const Placed& placed) {
+    const Pose& pose = placed.pose;
     Truth truth;
     truth.label = static_cast<std::uint8_t>(id.label);
     truth.world = id.world;
     truth.sample = over_worlds(static_cast<std::uint32_t>(piece_of(condition, id)), id);
     truth.session = over_worlds(item_of(condition, id), id);
     truth.height_m = pose.height_m;
-    truth.nominal_height_m = condition.pose(id.session).height_m;
+    truth.nominal_height_m = placed.asked.height_m;
     truth.sensor_tilt_x_rad = pose.sensor.about_x_rad;
     truth.sensor_tilt_y_rad = pose.sensor.about_y_rad;
     truth.sample_tilt_x_rad = pose.sample.about_x_rad;
@@ -165,7 +179,7 @@ SessionFrames simulate_session(const Bench& bench, const Condition& condition,
 
     SessionFrames out;
     out.is_weak = !echo_limits(scene, bench.materials, echo).empty();
-    Truth truth = session_truth(condition, id, sample, placed.pose);
+    Truth truth = session_truth(condition, id, sample, placed);
     for (int i = 0; i < condition.frames; ++i) {
         const std::uint32_t item = (item_of(condition, id) << 12) | static_cast<std::uint32_t>(i);
         const double share = condition.frames > 1 ? i / (condition.frames - 1.0) : 0.5;
