@@ -43,10 +43,10 @@ struct Dataset {
     std::vector<Truth> truth;       ///< (frame)
 
     /// Range profiles of beat samples, mean amplitude over chirps.
-    std::vector<float> profile;   ///< (frame, rx, bin), LSB, finite; or empty
-    int n_profile_bins = 0;       ///< from bin 0
-    double profile_bin_m = 0.0;   ///< range of one bin
-    std::string profile_window;   ///< name of the window before the transform
+    std::vector<float> profile;  ///< (frame, rx, bin), LSB, finite; or empty
+    int n_profile_bins = 0;      ///< from bin 0
+    double profile_bin_m = 0.0;  ///< range of one bin
+    std::string profile_window;  ///< name of the window before the transform
 
     /// What only recordings have, or lack.
     SampleAxis sample_axis = SampleAxis::beat;

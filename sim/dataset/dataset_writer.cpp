@@ -28,8 +28,7 @@ void write_origin(Hdf5File& out, const DatasetHead& head) {
     out.set_number("/", "range_bin_m", origin.bin_m);
     out.set_texts("/", "class_names", head.form.class_names);
     out.set_text("/", "source", origin.source);
-    out.set_text("/", "sample_axis",
-                 head.form.sample_axis == SampleAxis::range ? "range" : "beat");
+    out.set_text("/", "sample_axis", head.form.sample_axis == SampleAxis::range ? "range" : "beat");
     out.set_text("/", "left_out", left_out(head.tables));
 }
 
@@ -155,8 +154,7 @@ class DatasetWriter::Streams {
     void create_rows(const DatasetHead& head) {
         const Dataset& form = head.form;
         if (head.tables.adc) adc_.push_back(create_codes(out_, head, "/adc"));
-        if (head.tables.adc_quadrature)
-            adc_.push_back(create_codes(out_, head, "/adc_quadrature"));
+        if (head.tables.adc_quadrature) adc_.push_back(create_codes(out_, head, "/adc_quadrature"));
         if (head.tables.profile) profile_.push_back(create_profile(out_, head));
         if (head.tables.features) {
             features_.emplace_back(out_.create_table<double>(
@@ -182,7 +180,7 @@ class DatasetWriter::Streams {
 
     std::size_t n_frames_;
     std::size_t row_ = 0;
-    Hdf5File out_;  // before its tables, which are closed first
+    Hdf5File out_;                // before its tables, which are closed first
     std::vector<Hdf5Table> adc_;  ///< codes and their quadrature; none where none are stored
     std::vector<TableStream<float>> profile_;  ///< one or none, as the others
     std::vector<TableStream<double>> features_;
@@ -201,8 +199,7 @@ DatasetWriter::~DatasetWriter() = default;
 
 void DatasetWriter::append(const FrameBlock& block) {
     for (std::size_t first = 0; first < block.n_frames();) {
-        const std::size_t last =
-            std::min(block.n_frames(), first + streams_->until_boundary());
+        const std::size_t last = std::min(block.n_frames(), first + streams_->until_boundary());
         streams_->add(block, first, last);
         first = last;
     }
@@ -219,8 +216,8 @@ void write_dataset(const std::filesystem::path& file, const Dataset& dataset) {
                              .n_frames = dataset.n_frames(),
                              .shard = {}});
     for (std::size_t first = 0; first < dataset.n_frames(); first += frames_at_once)
-        out.append(pack_frames(
-            dataset, {first, std::min(first + frames_at_once, dataset.n_frames())}));
+        out.append(
+            pack_frames(dataset, {first, std::min(first + frames_at_once, dataset.n_frames())}));
     out.publish();
 }
 

@@ -22,10 +22,9 @@ Hdf5Handle v110_access() {
 
 void write_attribute(hid_t file, const std::filesystem::path& path, const std::string& object,
                      const std::string& name, hid_t type, hid_t space, const void* values) {
-    const Hdf5Handle attribute(
-        H5Acreate_by_name(file, object.c_str(), name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT,
-                          H5P_DEFAULT),
-        H5Aclose);
+    const Hdf5Handle attribute(H5Acreate_by_name(file, object.c_str(), name.c_str(), type, space,
+                                                 H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                               H5Aclose);
     if (!attribute.valid() || H5Awrite(attribute, type, values) < 0)
         hdf5_write_failed(path, object + "@" + name);
 }
@@ -82,7 +81,7 @@ void Hdf5File::create_group(const std::string& name) {
     const Hdf5Handle creation(H5Pcreate(H5P_GROUP_CREATE), H5Pclose);
     H5Pset_obj_track_times(creation, false);
     const Hdf5Handle group(H5Gcreate2(handle_, name.c_str(), H5P_DEFAULT, creation, H5P_DEFAULT),
-                       H5Gclose);
+                           H5Gclose);
     if (!group.valid()) hdf5_write_failed(file_, name);
 }
 
@@ -135,10 +134,10 @@ std::vector<T> Hdf5File::read(const std::string& name) const {
     return rows.read_rows<T>(0, rows.size()[0]);
 }
 
-#define SPECULA_HDF5_TYPE(T)                                                                   \
-    template Hdf5Table Hdf5File::create_table<T>(const std::string&, TableShape);              \
-    template void Hdf5File::write<T>(const std::string&, const std::vector<std::size_t>&,      \
-                                     std::size_t, const std::vector<T>&);                      \
+#define SPECULA_HDF5_TYPE(T)                                                              \
+    template Hdf5Table Hdf5File::create_table<T>(const std::string&, TableShape);         \
+    template void Hdf5File::write<T>(const std::string&, const std::vector<std::size_t>&, \
+                                     std::size_t, const std::vector<T>&);                 \
     template std::vector<T> Hdf5File::read<T>(const std::string&) const;
 SPECULA_HDF5_TYPE(std::int16_t)
 SPECULA_HDF5_TYPE(std::int32_t)
@@ -166,8 +165,7 @@ void Hdf5File::set_texts(const std::string& object, const std::string& name,
     std::size_t longest = 1;
     for (const std::string& text : texts) longest = std::max(longest, text.size());
     std::string packed;
-    for (const std::string& text : texts)
-        packed += text + std::string(longest - text.size(), '\0');
+    for (const std::string& text : texts) packed += text + std::string(longest - text.size(), '\0');
     const Hdf5Handle type = text_type(longest);
     const hsize_t n = texts.size();
     const Hdf5Handle space(H5Screate_simple(1, &n, nullptr), H5Sclose);

@@ -49,6 +49,9 @@ class Hdf5File {
     double number(const std::string& object, const std::string& name) const;
     std::vector<std::string> texts(const std::string& object, const std::string& name) const;
 
+    /// For the other files of this door.
+    std::int64_t handle() const { return handle_; }
+
     /// Closes the file, brings it to the disk and puts it under its name. Throws SystemError.
     void publish();
 

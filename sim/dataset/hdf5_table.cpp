@@ -35,6 +35,26 @@ struct RowSelection {
     }
 };
 
+/// What the files hold that a virtual table shows: at least the table's own bytes.
+double bytes_behind(const Hdf5Handle& creation, const std::filesystem::path& index,
+                    const std::string& name) {
+    std::size_t n = 0;
+    H5Pget_virtual_count(creation, &n);
+    double bytes = 0.0;
+    for (std::size_t i = 0; i < n; ++i) {
+        char shown[1024] = {};
+        H5Pget_virtual_filename(creation, i, shown, sizeof shown - 1);
+        const std::string beside = shown;
+        if (beside.find('/') != std::string::npos)
+            hdf5_read_failed(index, name, "shows a file of another folder");
+        std::error_code missing;
+        const auto size = std::filesystem::file_size(index.parent_path() / beside, missing);
+        if (missing) hdf5_read_failed(index, name, "shows " + beside + ", which is not there");
+        bytes += static_cast<double>(size);
+    }
+    return bytes;
+}
+
 std::vector<hsize_t> chunk_offset(const std::vector<std::size_t>& size, std::size_t row) {
     std::vector<hsize_t> offset(size.size(), 0);
     offset[0] = row;
@@ -81,7 +101,11 @@ void Hdf5Table::write_chunk(std::size_t row, std::span<const std::uint8_t> chunk
 void Hdf5Table::check_claim(double bytes_per_value) const {
     double bytes = bytes_per_value;
     for (const std::size_t n : shape_.size) bytes *= static_cast<double>(n);
-    if (bytes > best_compression * static_cast<double>(H5Dget_storage_size(handle_)))
+    const Hdf5Handle creation(H5Dget_create_plist(handle_), H5Pclose);
+    const double stored = H5Pget_layout(creation) == H5D_VIRTUAL
+                              ? bytes_behind(creation, file_, name_)
+                              : static_cast<double>(H5Dget_storage_size(handle_));
+    if (bytes > best_compression * stored)
         hdf5_read_failed(file_, name_, "is larger than what the file holds of it");
 }
 
@@ -116,8 +140,8 @@ void Hdf5Table::read_chunk(std::size_t row, std::vector<std::uint8_t>& bytes) co
         hdf5_read_failed(file_, name_, "has a chunk that cannot be read");
 }
 
-#define SPECULA_TABLE_TYPE(T)                                                                 \
-    template void Hdf5Table::write_rows<T>(std::size_t, std::span<const T>);                  \
+#define SPECULA_TABLE_TYPE(T)                                                \
+    template void Hdf5Table::write_rows<T>(std::size_t, std::span<const T>); \
     template std::vector<T> Hdf5Table::read_rows<T>(std::size_t, std::size_t) const;
 SPECULA_TABLE_TYPE(std::int16_t)
 SPECULA_TABLE_TYPE(std::int32_t)

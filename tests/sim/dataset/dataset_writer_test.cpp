@@ -13,10 +13,8 @@ namespace specula {
 namespace {
 
 DatasetHead head_of(const Dataset& dataset) {
-    return {.form = dataset,
-            .tables = tables_of(dataset),
-            .n_frames = dataset.n_frames(),
-            .shard = {}};
+    return {
+        .form = dataset, .tables = tables_of(dataset), .n_frames = dataset.n_frames(), .shard = {}};
 }
 
 /// Small frames, so that there can be more of them than a chunk of any table but columns holds.
