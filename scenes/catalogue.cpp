@@ -20,6 +20,10 @@ std::vector<std::string> stems(const fs::path& folder) {
     return names;
 }
 
+std::vector<std::string> stems_if_there(const fs::path& folder) {
+    return fs::is_directory(folder) ? stems(folder) : std::vector<std::string>{};
+}
+
 }  // namespace
 
 Catalogue Catalogue::open(const fs::path& root) {
@@ -42,9 +46,16 @@ fs::path Catalogue::experiment_file(const std::string& name) const {
     return root / "scenes/experiments" / (name + ".toml");
 }
 
+std::vector<std::string> Catalogue::dataset_names() const {
+    return stems_if_there(root / "scenes/datasets");
+}
+
+fs::path Catalogue::dataset_file(const std::string& name) const {
+    return root / "scenes/datasets" / (name + ".toml");
+}
+
 std::vector<std::string> Catalogue::sweep_names() const {
-    const fs::path folder = root / "scenes/sweeps";
-    return fs::is_directory(folder) ? stems(folder) : std::vector<std::string>{};
+    return stems_if_there(root / "scenes/sweeps");
 }
 
 fs::path Catalogue::sweep_file(const std::string& name) const {

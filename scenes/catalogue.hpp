@@ -19,6 +19,8 @@ struct Catalogue {
     std::vector<std::string> radar_names() const;
     std::vector<std::string> experiment_names() const;
     std::filesystem::path experiment_file(const std::string& name) const;
+    std::vector<std::string> dataset_names() const;  ///< none where there is no scenes/datasets
+    std::filesystem::path dataset_file(const std::string& name) const;
     std::vector<std::string> sweep_names() const;  ///< none where there is no scenes/sweeps
     std::filesystem::path sweep_file(const std::string& name) const;
 

@@ -13,6 +13,7 @@
 #include "sim/core/version.hpp"
 #include "sim/parallel.hpp"
 #include "tools/console/console.hpp"
+#include "tools/generate/interruption.hpp"
 #include "tools/specula/command_options.hpp"
 #include "tools/specula/commands.hpp"
 #include "tools/specula/firmware_options.hpp"
@@ -189,6 +190,11 @@ int run_program(int argc, char** argv) {
     StudyArguments study;
     study.threads = available_threads();
     add_study(program, study);
+    GenerateArguments generation;
+    generation.threads = available_threads();
+    add_generate(program, generation);
+    MergeArguments merging;
+    add_merge(program, merging);
     SimulateArguments simulate;
     add_simulate(program, simulate);
     ShowArguments show;
@@ -218,9 +224,9 @@ int run_program(int argc, char** argv) {
     add_likeness(program, likeness);
     std::string listed, shell = "bash";
     add_command(program, "list", "List what is known by name", "specula list materials")
-        ->add_option("KIND", listed, "materials, radars, experiments or sweeps")
+        ->add_option("KIND", listed, "materials, radars, experiments, datasets or sweeps")
         ->required()
-        ->check(CLI::IsMember({"materials", "radars", "experiments", "sweeps"}).description(""));
+        ->check(CLI::IsMember({"materials", "radars", "experiments", "datasets", "sweeps"}).description(""));
     add_command(program, "completion", "Print a completion script for a shell",
                 "eval \"$(specula completion bash)\"")
         ->add_option("SHELL", shell, "bash or zsh")
@@ -239,6 +245,8 @@ int run_program(int argc, char** argv) {
         } else {
             const Catalogue catalogue = Catalogue::open(home_folder());
             if (command == "study") study_command(study, catalogue);
+            if (command == "generate") generate_command(generation, catalogue);
+            if (command == "merge") merge_command(merging);
             if (command == "simulate") simulate_command(simulate, catalogue);
             if (command == "sweep") sweep_command(sweep, catalogue);
             if (command == "calibrate") calibrate_command(calibration, catalogue);
@@ -260,6 +268,9 @@ int run_program(int argc, char** argv) {
         if (error.get_exit_code() == 0) return program.exit(error);  // --help, --version
         complain(usage_problem(program, error, argc > 1 ? argv[1] : ""));
         return 2;
+    } catch (const Interrupted& stop) {
+        complain(stop.what());
+        return stop.exit_status();
     } catch (const InputError& error) {
         complain(error.what());
         return 2;

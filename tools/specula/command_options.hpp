@@ -20,6 +20,10 @@ void add_threads(CLI::App* command, int& threads);
 /// `export`, whose own sub-commands are the formats.
 CLI::App* export_group(CLI::App& program);
 
+/// The commands that make datasets.
+void add_generate(CLI::App& program, GenerateArguments& arguments);
+void add_merge(CLI::App& program, MergeArguments& arguments);
+
 /// The commands about recordings and the classifiers of them.
 void add_import(CLI::App& program, ImportArguments& arguments);
 void add_export_recording(CLI::App& program, ExportRecordingArguments& arguments);

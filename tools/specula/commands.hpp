@@ -24,6 +24,24 @@ struct StudyArguments {
 };
 void study_command(const StudyArguments& arguments, const Catalogue& catalogue);
 
+struct GenerateArguments {
+    std::string experiment;     ///< a dataset or experiment of the catalogue, or a .toml file
+    std::filesystem::path out;  ///< FILE.h5 or a folder; empty: out/<experiment>.h5
+    std::string condition;      ///< of an experiment; empty: its training recordings
+    std::optional<std::uint64_t> seed;
+    std::optional<int> worlds;
+    std::vector<std::string> store;
+    std::string share;  ///< "3/8" or "env"; empty: all of it
+    int threads = 1;
+};
+void generate_command(const GenerateArguments& arguments, const Catalogue& catalogue);
+
+struct MergeArguments {
+    std::vector<std::filesystem::path> folders;
+    std::filesystem::path out;
+};
+void merge_command(const MergeArguments& arguments);
+
 struct SimulateArguments {
     std::filesystem::path scene;
     std::filesystem::path out;  ///< empty: <scene>.h5 in the working folder
@@ -48,7 +66,7 @@ struct ValidateArguments {
 /// The exit status: 0, 1 where a tolerance is missed, 3 where a case cannot be computed.
 int validate_command(const ValidateArguments& arguments, const Catalogue& catalogue);
 
-/// @in what  "materials", "radars", "experiments" or "sweeps"
+/// @in what  "materials", "radars", "experiments", "datasets" or "sweeps"
 void list_command(const std::string& what, const Catalogue& catalogue);
 
 struct ShowArguments {

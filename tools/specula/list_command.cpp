@@ -53,6 +53,14 @@ void list_experiments(const Catalogue& catalogue) {
     }
 }
 
+void list_datasets(const Catalogue& catalogue) {
+    std::printf(name_and_title, "name", "title");
+    for (const std::string& name : catalogue.dataset_names()) {
+        Section section = Section::read(catalogue.dataset_file(name));
+        std::printf(name_and_title, name.c_str(), section.text("title").c_str());
+    }
+}
+
 void list_sweeps(const Catalogue& catalogue) {
     std::printf(name_and_title, "name", "title");
     for (const std::string& name : catalogue.sweep_names()) {
@@ -67,6 +75,7 @@ void list_command(const std::string& what, const Catalogue& catalogue) {
     if (what == "materials") list_materials(catalogue);
     if (what == "radars") list_radars(catalogue);
     if (what == "experiments") list_experiments(catalogue);
+    if (what == "datasets") list_datasets(catalogue);
     if (what == "sweeps") list_sweeps(catalogue);
 }
 

@@ -21,6 +21,8 @@ fw_integration integration_of(const std::string& name) {
                               : FW_INTEGRATE_EXPORTED;
 }
 
+}  // namespace
+
 fw_extract_config read_descriptor(Section section, const Radar& radar) {
     const int last_bin = radar.chirp.n_samples / 2;
     const int first =
@@ -52,6 +54,8 @@ fw_extract_config read_descriptor(Section section, const Radar& radar) {
             .integration = integration_of(integration),
             .path = path == "float" ? FW_RANGE_FLOAT : FW_RANGE_HWA_LIKE};
 }
+
+namespace {
 
 TrainOptions read_classifier(Section section) {
     TrainOptions options;

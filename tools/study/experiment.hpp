@@ -50,6 +50,9 @@ struct Experiment {
 /// What its sessions are simulated from, under the experiment's own seed. Borrows both.
 Bench bench_of(const Experiment& experiment, const Library& materials);
 
+/// Reads [descriptor]; refuses bins and windows that a radar's frames do not have.
+fw_extract_config read_descriptor(Section section, const Radar& radar);
+
 /// Reads an experiment file; each section is read by the module that owns it.
 Experiment read_experiment(const std::filesystem::path& file, const Catalogue& catalogue);
 

@@ -56,8 +56,10 @@ std::string Progress::line() const {
     const std::string time = done >= total_ ? "took " + duration_text(elapsed_s)
                              : done > 0 ? duration_text(elapsed_s * (1.0 / share - 1.0)) + " left"
                                         : std::string("starting");
-    return format("{:<26} [{}] {:3.0f} %  {}/{} {}  {:.0f}/s  {}", what_, bar, 100.0 * share, done,
-                  total_, unit_, rate, time);
+    const std::string written =
+        bytes_ > 0 ? format("  {:.1f} MB", static_cast<double>(bytes_) * 1e-6) : std::string();
+    return format("{:<26} [{}] {:3.0f} %  {}/{} {}  {:.0f}/s{}  {}", what_, bar, 100.0 * share,
+                  done, total_, unit_, rate, written, time);
 }
 
 }  // namespace specula

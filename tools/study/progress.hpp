@@ -22,6 +22,8 @@ class Progress {
     ~Progress();
 
     std::atomic<std::size_t>& done() { return done_; }
+    /// Written so far; shown where there are any.
+    std::atomic<std::size_t>& bytes() { return bytes_; }
 
   private:
     using Clock = std::chrono::steady_clock;
@@ -32,6 +34,7 @@ class Progress {
     std::string unit_;
     std::size_t total_;
     std::atomic<std::size_t> done_{0};
+    std::atomic<std::size_t> bytes_{0};
     Clock::time_point start_ = Clock::now();
     bool on_terminal_;
     bool ended_ = false;

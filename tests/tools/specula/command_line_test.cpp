@@ -86,7 +86,7 @@ TEST_CASE("wrong arguments are one line that says what would do", "[program]") {
              {{"fly", "--high"}, "\"fly\": no such command; use " + all_commands()},
              {{"list"}, "KIND is required; see specula list --help"},
              {{"list", "bogus"},
-              "KIND: bogus not in {materials,radars,experiments,sweeps}; see specula list --help"},
+              "KIND: bogus not in {materials,radars,experiments,datasets,sweeps}; see specula list --help"},
              {{"show"}, "NAME is required; see specula show --help"},
              {{"simulate"}, "SCENE is required; see specula simulate --help"},
              {{"simulate", "a", "b"},

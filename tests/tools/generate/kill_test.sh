@@ -1,0 +1,121 @@
+#!/bin/sh
+# Whether a run that is killed at random moments, killed again while it resumes, and then left alone,
+# makes the bytes of an undisturbed run, loses no finished shard, and leaves nothing behind.
+#
+#   kill_test.sh PROGRAM SOURCE_TREE
+#
+# SPECULA_KILLS  how many runs are killed (default 5; 100 take some minutes)
+set -u
+program=$(readlink -f "$1")
+export SPECULA_HOME="$2"
+runs=${SPECULA_KILLS:-5}
+folder=$(mktemp -d /tmp/specula-kill.XXXXXX)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder" || exit 1
+fail() {
+    echo "FAILED in run $run: $*"
+    ls -l . run.h5.parts 2>/dev/null
+    exit 1
+}
+run=0
+
+# Small frames of small plates: ten shards in about a second.
+cat >small.toml <<'END'
+title = "small"
+seed = 5
+worlds = 10
+radar = "iwrl6432boost"
+nominal_height_mm = 450
+[recordings]
+samples = 2
+sessions = 16
+frames = 16
+[geometry]
+height_mm = { uniform = [400, 500], sampling = "quasi" }
+[sample]
+size_mm = [30, 30]
+[[class]]
+name = "iron"
+material = "iron"
+thickness_mm = 3
+[[class]]
+name = "wood"
+material = "wood"
+thickness_mm = { normal = [18, 1] }
+[session]
+gain_db = { normal = [0, 0.3] }
+[frame]
+displacement_um = { normal = [0, 35] }
+END
+
+milliseconds() { echo $(($(date +%s%N) / 1000000)); }
+# A whole number below $1.
+random() { echo $(($(od -An -N4 -tu4 /dev/urandom) % $1)); }
+sleep_ms() { sleep "$(printf '%d.%03d' $(($1 / 1000)) $(($1 % 1000)))"; }
+
+generate() { "$program" generate small.toml -o "$1" >"$2" 2>&1; }
+
+begin=$(milliseconds)
+generate one.h5 log || { cat log; exit 1; }
+length=$(($(milliseconds) - begin))
+expected=$(sha256sum <one.h5)
+echo "an undisturbed run takes $length ms: ${expected%% *}"
+
+# The shards that are finished now: every one, read before it can go.
+finished() { ls run.h5.parts 2>/dev/null | grep -c '^shard-[0-9]*\.h5$'; }
+
+# attempt SIGNAL: starts a run, sends the signal after a random time, tells how it ended.
+attempt() {
+    "$program" generate small.toml -o run.h5 >log 2>&1 &
+    pid=$!
+    sleep_ms "$(random "$length")"
+    kill -"$1" $pid 2>/dev/null
+    sent=$(milliseconds)
+    wait $pid 2>/dev/null
+    status=$?
+    ending=$(($(milliseconds) - sent))
+}
+
+killed=0 in_resume=0 clean=0
+while [ $run -lt "$runs" ]; do
+    run=$((run + 1))
+    rm -rf run.h5 run.h5.parts
+    again=$(random 2)
+    attempt KILL
+    if [ $status -ge 128 ]; then killed=$((killed + 1)); fi
+    if [ "$again" = 1 ]; then
+        before=$(finished)
+        attempt KILL
+        if [ $status -ge 128 ]; then in_resume=$((in_resume + 1)); fi
+        [ -e run.h5 ] || [ "$(finished)" -ge "$before" ] || fail "finished shards are gone"
+    fi
+    # Ctrl-C and a polite kill, too: a clean end within two seconds.
+    if [ ! -e run.h5 ] && [ $((run % 5)) = 0 ]; then
+        case $((run % 10)) in 0) signal=INT expected_status=130 ;; *) signal=TERM expected_status=143 ;; esac
+        attempt $signal
+        if [ $status -ne 0 ] && ! { [ $status -gt 128 ] && ! [ -s log ]; }; then
+            [ $status = $expected_status ] || fail "SIG$signal ends with status $status: $(cat log)"
+            grep -q 'run the same command again to resume' log || fail "no word of resuming: $(cat log)"
+            [ $ending -le 2000 ] || fail "SIG$signal took $ending ms"
+            clean=$((clean + 1))
+        fi
+    fi
+    if [ ! -e run.h5 ]; then
+        ls run.h5.parts 2>/dev/null | grep '^shard-[0-9]*\.h5$' | while read -r shard; do
+            stat -c '%n %i %Y' "run.h5.parts/$shard"
+        done >before
+        kept=$(wc -l <before)
+        generate run.h5 log || fail "resuming ends with $?: $(cat log)"
+        # Told before anything is simulated; nothing is told where all were finished.
+        if [ "$kept" -gt 0 ] && grep -q 'frames in' log; then
+            grep -q "($kept are finished)" log || fail "$kept shards were finished, but: $(cat log)"
+        fi
+    else
+        generate run.h5 log || fail "a finished file: $(cat log)"
+    fi
+    [ "$(sha256sum <run.h5)" = "$expected" ] || fail "other bytes than the undisturbed run's"
+    left=$(ls -A | grep -vx -e small.toml -e one.h5 -e run.h5 -e log -e before)
+    [ -z "$left" ] || fail "left over: $left"
+done
+echo "$runs runs: $killed killed, $in_resume killed again while resuming, $clean stopped by signals;" \
+    "all came to the same bytes, no finished shard lost, nothing left over"

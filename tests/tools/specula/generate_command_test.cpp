@@ -1,0 +1,93 @@
+#include <algorithm>
+
+#include "sim/dataset/dataset.hpp"
+#include "tests/check.hpp"
+#include "tests/run_program.hpp"
+
+namespace specula {
+namespace {
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+TEST_CASE("generate says what it will take, writes, and finds its work done the next time",
+          "[program]") {
+    const TemporaryFolder folder;
+    const std::vector<std::string> command{"generate", "sheets_and_boards", "--worlds", "1", "-o",
+                                           "a.h5"};
+    const Ended first = specula_in(folder.path(), command);
+    INFO(first.errors);
+    REQUIRE(first.status == 0);
+    CHECK(contains(first.output, "192 frames in 1 shards: about "));
+    CHECK(contains(first.output, "Wrote a.h5: 192 frames"));
+    const std::string fingerprint = first.output.substr(first.output.find("fingerprint "));
+    const Dataset made = read_dataset(folder / "a.h5");
+    CHECK(made.n_frames() == 192);
+    CHECK(made.adc.empty());
+    CHECK(made.n_profile_bins == 32);
+    CHECK(made.class_names == std::vector<std::string>{"glass", "plasterboard"});
+
+    const Ended again = specula_in(folder.path(), command);
+    CHECK(again.status == 0);
+    CHECK(contains(again.output, "Everything was recorded already.\nWrote a.h5: 192 frames"));
+    CHECK(contains(again.output, fingerprint));
+
+    std::vector<std::string> other = command;
+    other.insert(other.end(), {"--seed", "4"});
+    const Ended refused = specula_in(folder.path(), other);
+    CHECK(refused.status == 2);
+    CHECK(refused.errors ==
+          "specula: error: a.h5: was made otherwise: seed = 3 there, 4 here; give back the same "
+          "settings, or name another output\n");
+}
+
+TEST_CASE("shares print the command that merges them, and merge makes the file", "[program]") {
+    const TemporaryFolder folder;
+    for (const std::string share : {"0/2", "1/2"}) {
+        const Ended ended = specula_in(folder.path(), {"generate", "sheets_and_boards", "--worlds",
+                                                       "1", "-o", "a.h5", "--shard", share});
+        INFO(ended.errors);
+        CHECK(ended.status == 0);
+        CHECK(contains(ended.output, "specula merge a.h5.parts -o a.h5"));
+    }
+    const Ended merged = specula_in(folder.path(), {"merge", "a.h5.parts", "-o", "a.h5"});
+    INFO(merged.errors);
+    CHECK(merged.status == 0);
+    CHECK(contains(merged.output, "Wrote a.h5: 192 frames of 1 shards"));
+}
+
+TEST_CASE("what generate cannot do is told in one line that says what would do", "[program]") {
+    const TemporaryFolder folder;
+    struct Case {
+        std::vector<std::string> arguments;
+        std::string message;
+    };
+    for (const auto& [arguments, message] : std::vector<Case>{
+             {{"generate", "sheets_and_board"}, "did you mean sheets_and_boards?"},
+             {{"generate", "paper", "--condition", "hight", "-o", "a.h5"}, "use \"training\", "},
+             {{"generate", "paper", "--shard", "8/8", "-o", "a.h5"}, "0/8 to 7/8"},
+             {{"generate", "paper", "--shard", "env", "-o", "a.h5"}, "sbatch --array or mpirun"},
+             {{"generate", "paper", "--store", "adc,features,adc", "-o", "a.h5"}, "\"adc\" twice"},
+             {{"generate", "none.toml", "-o", "a.h5"}, "none.toml: "},
+             {{"merge", "nowhere", "-o", "a.h5"}, "nowhere: no such folder"},
+             {{"merge", ".", "-o", "a.h5"}, ".: holds no shards"}}) {
+        const Ended ended = specula_in(folder.path(), arguments);
+        INFO(ended.errors);
+        CHECK(ended.status == 2);
+        CHECK(contains(ended.errors, message));
+        CHECK(std::count(ended.errors.begin(), ended.errors.end(), '\n') == 1);
+        CHECK(std::filesystem::is_empty(folder.path()));
+    }
+}
+
+TEST_CASE("a folder that takes no files is named with the reason", "[program]") {
+    const TemporaryFolder folder;
+    const Ended ended =
+        specula_in(folder.path(), {"generate", "sheets_and_boards", "-o", "/proc/specula/a.h5"});
+    CHECK(ended.status == 1);
+    CHECK(contains(ended.errors, "/proc/specula/a.h5.parts: cannot create: No such file"));
+}
+
+}  // namespace
+}  // namespace specula

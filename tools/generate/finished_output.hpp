@@ -1,0 +1,35 @@
+#pragma once
+
+#include "tools/generate/shard_plan.hpp"
+
+namespace specula {
+
+/// Where a run's dataset ends up, and where its shards wait until then.
+class FinishedOutput {
+  public:
+    explicit FinishedOutput(const std::filesystem::path& out);
+
+    /// FILE.h5, or the index of a folder.
+    const std::filesystem::path& file() const { return file_; }
+    /// FILE.h5.parts, or the folder itself.
+    const std::filesystem::path& shards() const { return shards_; }
+
+    /// Whether the dataset is there, whole. Throws InputError where something else is there:
+    /// another recipe's dataset, or no dataset.
+    bool is_there(const std::string& recipe) const;
+    std::string fingerprint() const;
+    double bytes() const;
+
+    /// Drafts of the finished file that a killed process left; a share never makes them.
+    void remove_drafts(const Share& share) const;
+    /// Once the file is in place: the shards that it was made of, or the locks among those that
+    /// stay.
+    void remove_leftovers() const;
+
+  private:
+    std::filesystem::path file_;
+    std::filesystem::path shards_;
+    bool keeps_shards_;
+};
+
+}  // namespace specula
