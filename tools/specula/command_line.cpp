@@ -52,7 +52,12 @@ void add_study(CLI::App& program, StudyArguments& arguments) {
                      "of all random numbers; default the experiment's own")
         ->check(seed_problem);
     add_threads(command, arguments.threads);
-    command->add_flag("--quick", arguments.quick, "the experiment's small version, about 15 s");
+    CLI::Option* quick =
+        command->add_flag("--quick", arguments.quick, "the experiment's small version, about 20 s");
+    command
+        ->add_flag("--full", arguments.full,
+                   "its large version: more worlds, trainings and assumptions, up to half an hour")
+        ->excludes(quick);
 }
 
 void add_simulate(CLI::App& program, SimulateArguments& arguments) {

@@ -21,6 +21,7 @@ struct StudyArguments {
     std::optional<std::uint64_t> seed;
     int threads = 1;
     bool quick = false;
+    bool full = false;
 };
 void study_command(const StudyArguments& arguments, const Catalogue& catalogue);
 
