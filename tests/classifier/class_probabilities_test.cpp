@@ -75,7 +75,7 @@ TEST_CASE("the temperature that made the truth is found again", "[probability]")
     CHECK(least <= negative_log_likelihood(data.rows(), data.truth, fitted / 1.001));
 }
 
-TEST_CASE("confidence that is met is calibrated; doubled logits are not", "[probability]") {
+TEST_CASE("confidence that is met is calibrated; four times the logits are not", "[probability]") {
     const Drawn data = drawn(40000, 1.0);
     const Reliability good = reliability_of(softmax(data.rows()), data.truth);
     // Each bin's accuracy has a standard error of sqrt(p q / n); their mean over 15 bins of 40,000

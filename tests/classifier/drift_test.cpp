@@ -42,7 +42,8 @@ TEST_CASE("the stability index of moved normals is their symmetric divergence", 
     }
     const auto index =
         population_stability({cloud({.n = 20000}), cloud({.n = 20000, .mean = moved, .item = 1})});
-    CHECK(index[0] == Approx(expected).epsilon(0.12));  // shares are good to 2 %
+    // Four standard deviations: 2 sqrt(expected (1 / n + 1 / m)) each.
+    CHECK(index[0] == Approx(expected).margin(8.0 * std::sqrt(expected * 1e-4)));
     CHECK(index[1] < 0.005);  // 18 / n of chance (twice nine degrees of freedom), times five
 }
 
@@ -119,7 +120,8 @@ TEST_CASE("the discrepancy of one law is about nothing, and grows with the shift
     const double some = mean_discrepancy({nominal, cloud({.mean = 0.5, .item = 1})});
     const double much = mean_discrepancy({nominal, cloud({.mean = 3.0, .item = 1})});
     CHECK(std::abs(none) < 0.01);  // of the order of 1 / n
-    CHECK((some > 0.02 && much > 5.0 * some));
+    // By the kernel's integral over two normals, 0.030 and more than 0.6.
+    CHECK((some > 0.012 && much > 5.0 * some));
     CHECK(mean_discrepancy({nominal, nominal}, {.max_rows = 100}) < 0.0);  // unbiased: below 0
 }
 

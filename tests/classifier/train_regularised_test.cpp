@@ -279,7 +279,7 @@ TEST_CASE("training is timed on the calling thread and passes a million examples
     const TrainingSpeed speed = measure_training_speed({.n_rows = 2400});
     CHECK(speed.cpu_s > 0.0);
     CHECK(speed.cpu_us_per_step == Approx(128e6 / speed.examples_per_cpu_s).epsilon(1e-12));
-#ifdef __OPTIMIZE__  // of the library's build; half of the promise, for machines under load
+#ifdef NDEBUG  // not under sanitizers; half of the promise, for machines under load
     CHECK(speed.examples_per_cpu_s > 5e5);
 #endif
 }

@@ -136,7 +136,8 @@ TEST_CASE("convolutions and no hidden layer at all learn the same easy thing",
           Arguments{"--hidden", "8"}}) {
         folder.run(with(with({"train", "a.h5", "-o", "m.json"}, network), quick));
         const std::string said = folder.run({"evaluate", "m.json", "b.h5"});
-        CHECK(contains(said, "120 frames: accuracy 9"));  // classes are 6.7 spreads apart
+        // Classes are 6.7 spreads apart: a frame errs with probability 8e-4.
+        CHECK((contains(said, "accuracy 100") || contains(said, "accuracy 99")));
     }
 }
 
