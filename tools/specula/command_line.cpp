@@ -17,6 +17,7 @@
 #include "tools/specula/commands.hpp"
 #include "tools/specula/firmware_options.hpp"
 #include "tools/specula/home.hpp"
+#include "tools/specula/learning_options.hpp"
 #include "tools/specula/sweep_options.hpp"
 
 namespace specula {
@@ -215,6 +216,9 @@ int run_program(int argc, char** argv) {
     EvaluateArguments evaluation;
     evaluation.learning.threads = available_threads();
     add_evaluate(program, evaluation);
+    PredictArguments prediction;
+    prediction.threads = available_threads();
+    add_predict(program, prediction);
     FirmwareArguments firmware;
     add_firmware_commands(program, firmware);
     CalibrateArguments calibration;
@@ -254,6 +258,7 @@ int run_program(int argc, char** argv) {
                 export_recording_command(export_, catalogue);
             if (command == "train") train_command(training);
             if (command == "evaluate") evaluate_command(evaluation);
+            if (command == "predict") predict_command(prediction);
             if (is_firmware_command(command) && export_.what.empty())
                 status = run_firmware_command(program, firmware, catalogue);
             if (command == "list") list_command(listed, catalogue);

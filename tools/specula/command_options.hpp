@@ -20,10 +20,8 @@ void add_threads(CLI::App* command, int& threads);
 /// `export`, whose own sub-commands are the formats.
 CLI::App* export_group(CLI::App& program);
 
-/// The commands about recordings and the classifiers of them.
+/// The commands about recordings.
 void add_import(CLI::App& program, ImportArguments& arguments);
 void add_export_recording(CLI::App& program, ExportRecordingArguments& arguments);
-void add_train(CLI::App& program, TrainArguments& arguments);
-void add_evaluate(CLI::App& program, EvaluateArguments& arguments);
 
 }  // namespace specula
