@@ -7,6 +7,7 @@
 #include "classifier/extract_features.hpp"
 #include "classifier/looks.hpp"
 #include "classifier/normalised_bins.hpp"
+#include "classifier/peak_shape.hpp"
 #include "classifier/relative_profile.hpp"
 #include "sim/core/error.hpp"
 #include "sim/core/format.hpp"
@@ -90,7 +91,7 @@ void check_fit(const Dataset& dataset, const Descriptor& descriptor) {
 
 std::size_t Descriptor::n_features() const {
     std::size_t n = bins.n_bins;
-    if (extractor == "relative_profile") n = 2 * n + 1;
+    if (is_relative()) n = 2 * n + 1;
     if (angle_rx > 0) n += 2 * (static_cast<std::size_t>(angle_rx) - 1);
     return spread ? 2 * n : n;
 }
@@ -143,6 +144,7 @@ FeatureTable frame_features(const Dataset& dataset, const Descriptor& descriptor
                    : extract_features(dataset, descriptor.bins, threads);
     if (descriptor.extractor == "relative_profile")
         return relative_profiles(dataset, descriptor, threads);
+    if (descriptor.extractor == "peak_shape") return peak_shapes(dataset, descriptor, threads);
     FeatureTable table = descriptor.extractor == "columns" ? columns(dataset, descriptor)
                                                            : range_windows(dataset, descriptor);
     table.n_features = descriptor.bins.n_bins;

@@ -21,6 +21,7 @@ struct BinChoice {
 struct Descriptor {
     /// range_bins        the firmware's extractor: amplitudes of range bins of beat samples
     /// relative_profile  complex range bins around the peak, relative to it (relative_profile.hpp)
+    /// peak_shape        the same as the firmware computes it, by fw_relative (peak_shape.hpp)
     /// range_windows     of samples that are range themselves: their mean magnitude in equal
     /// windows columns           features that the recording brought
     std::string extractor = "range_bins";
@@ -52,7 +53,10 @@ struct Descriptor {
     std::size_t n_features() const;
     bool uses_peak() const {
         return normalise.align || normalise.compensate_range || angle_rx > 0 ||
-               extractor == "relative_profile";
+               is_relative();
+    }
+    bool is_relative() const {
+        return extractor == "relative_profile" || extractor == "peak_shape";
     }
     /// The bins that a peak is looked for in, or those of the descriptor.
     BinChoice profile() const {

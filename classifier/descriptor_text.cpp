@@ -13,8 +13,8 @@ namespace specula {
 namespace {
 
 constexpr std::array<const char*, 3> window_words{"rect", "hann", "blackman"};  // as fw_window
-const std::vector<std::string> extractors{"range_bins", "relative_profile", "range_windows",
-                                          "columns"};
+const std::vector<std::string> extractors{"range_bins", "relative_profile", "peak_shape",
+                                          "range_windows", "columns"};
 constexpr int most_bins = 65535;
 constexpr int most_looks = 10000;
 
@@ -94,7 +94,7 @@ void read_step(const std::string& word, Words& words, Descriptor& descriptor) {
 void check_together(const Descriptor& descriptor, const Words& words) {
     const fw_normalise_config& normalise = descriptor.normalise;
     const bool is_bins = descriptor.extractor == "range_bins";
-    const bool is_relative = descriptor.extractor == "relative_profile";
+    const bool is_relative = descriptor.is_relative();
     if (!is_bins && !is_relative && descriptor.uses_peak())
         words.fail("only range bins have a peak to align or to compare phases at");
     if (!is_bins && (normalise.logarithm || descriptor.unit_energy))
@@ -102,7 +102,7 @@ void check_together(const Descriptor& descriptor, const Words& words) {
     if (descriptor.unit_energy && normalise.logarithm)
         words.fail("unit and log exclude each other");
     if (is_relative && !(normalise.align && normalise.compensate_range))
-        words.fail("a relative_profile needs align and range");
+        words.fail(format("a {} needs align and range", descriptor.extractor));
     if (descriptor.spread && descriptor.looks < 2) words.fail("spread needs looks");
     const BinChoice profile = descriptor.profile();
     if (profile.first > descriptor.bins.first_bin ||

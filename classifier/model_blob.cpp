@@ -80,7 +80,7 @@ void check(const Model& model) {
                    "it again",
                    model.measurement->descriptor.n_bins, model.n_features()));
     const Descriptor descriptor = descriptor_of(model);
-    if (descriptor.extractor == "relative_profile" || descriptor.unit_energy ||
+    if (descriptor.is_relative() || descriptor.unit_energy ||
         descriptor.angle_rx > 0 || descriptor.looks > 1)
         throw InputError(
             format("descriptor = \"{}\": the firmware does not compute it; train on range_bins "

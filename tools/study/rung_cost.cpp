@@ -18,7 +18,7 @@ constexpr std::size_t logarithm = 10, cubic = 7, root = 14;
 std::size_t of_features(const Descriptor& descriptor, std::size_t n_rows) {
     const std::size_t n = descriptor.bins.n_bins;
     std::size_t count = 0;
-    if (descriptor.extractor == "relative_profile")  // cubics of both parts, a complex quotient
+    if (descriptor.is_relative())  // cubics of both parts, a complex quotient
         return n_rows * (2 * cubic + 6) * n + logarithm + root;
     if (descriptor.normalise.align) count += cubic * n;
     if (descriptor.normalise.compensate_range) count += n;

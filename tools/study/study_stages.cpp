@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "classifier/metrics.hpp"
+#include "classifier/session_bootstrap.hpp"
 #include "sim/core/constants.hpp"
 #include "sim/core/format.hpp"
 #include "tools/study/study_facts.hpp"
@@ -23,13 +23,37 @@ FeatureTable joined(const WorldRows& worlds) {
     return rows;
 }
 
-/// Counts are those of the first repeat; macro-F1 is the mean over repeats.
-void average_repeats(const StudyContext& context, const WorldScores& scores,
-                     ConditionReport& report) {
-    report.macro_f1_per_world = scores.all;
-    report.macro_f1_merged_per_world = scores.merged;
-    report.macro_f1 = bootstrap_mean(scores.all, context.bootstrap());
-    report.macro_f1_merged = bootstrap_mean(scores.merged, context.bootstrap());
+/// Mean over repeats of a macro-F1 of sessions put together.
+WorldValue mean_of(const std::vector<WorldValue>& repeats) {
+    return [repeats](std::span<const std::size_t> sessions) {
+        double sum = 0.0;
+        for (const WorldValue& repeat : repeats) sum += repeat(sessions);
+        return sum / static_cast<double>(repeats.size());
+    };
+}
+
+std::vector<std::uint8_t> joined_labels(const std::vector<WorldOutcome>& outcomes) {
+    std::vector<std::uint8_t> labels;
+    for (const WorldOutcome& world : outcomes)
+        labels.insert(labels.end(), world.predictions.label.begin(), world.predictions.label.end());
+    return labels;
+}
+
+/// Counts are those of the first repeat; macro-F1 is the mean over repeats, its interval drawn over
+/// worlds and within them over sessions.
+void set_intervals(const StudyContext& context, const WorldRows& rows,
+                   const std::vector<std::vector<WorldOutcome>>& repeats, ConditionReport& report) {
+    const FeatureTable all = joined(rows);
+    const SessionTree tree = session_tree_of(all);
+    std::vector<WorldValue> plain, merged;
+    for (const auto& outcomes : repeats) {
+        const auto confusions = confusion_per_session(tree, all, joined_labels(outcomes));
+        plain.push_back(macro_f1_value(confusions));
+        merged.push_back(macro_f1_value(confusions, context.merged));
+    }
+    const Resampling resampling{.key = context.bootstrap()};
+    report.macro_f1 = bootstrap_sessions(tree, mean_of(plain), resampling);
+    report.macro_f1_merged = bootstrap_sessions(tree, mean_of(merged), resampling);
 }
 
 struct Named {
@@ -46,16 +70,21 @@ struct Judged {
 
 Judged judge_table(const StudyContext& context, const Baseline& baseline, const Named& named,
                    const WorldRows& rows) {
-    Judged judged;
-    judged.outcomes = judge_each(baseline.models, rows, context.run.threads);
-    std::vector<WorldScores> repeats{scores_of(judged.outcomes, context.merged)};
+    std::vector<std::vector<WorldOutcome>> outcomes{
+        judge_each(baseline.models, rows, context.run.threads)};
     for (const auto& models : baseline.repeats)
-        repeats.push_back(scores_of(judge_each(models, rows, context.run.threads), context.merged));
+        outcomes.push_back(judge_each(models, rows, context.run.threads));
+    std::vector<WorldScores> repeats;
+    for (const auto& repeat : outcomes) repeats.push_back(scores_of(repeat, context.merged));
+    Judged judged;
     judged.scores = mean_scores(repeats);
     StudyCondition& condition = judged.condition;
     condition.result =
-        evaluate(named.name, named.title, judged.outcomes, {context.merged, context.bootstrap()});
-    if (!baseline.repeats.empty()) average_repeats(context, judged.scores, condition.result);
+        evaluate(named.name, named.title, outcomes.front(), {context.merged, context.bootstrap()});
+    condition.result.macro_f1_per_world = judged.scores.all;
+    condition.result.macro_f1_merged_per_world = judged.scores.merged;
+    set_intervals(context, rows, outcomes, condition.result);
+    judged.outcomes = std::move(outcomes.front());
     condition.heights_m = named.heights_m;
     const auto paper = context.experiment.paper_macro_f1.find(named.name);
     if (paper != context.experiment.paper_macro_f1.end()) condition.paper_macro_f1 = paper->second;
