@@ -107,6 +107,7 @@ CalibrationOutcome calibrate(const CalibrationPlan& plan, const NominalSource& n
         outcome.matching = trial;
         return outcome;
     }
+    if (extent.variant_worlds == 0) return outcome;  // nobody would use what is found
     Extent few = extent;
     few.worlds = std::min(extent.worlds, record_worlds);
     const std::array<double, 2> beyond = too_good ? std::array{plan.search_snr_db[0], inside[0]}

@@ -25,7 +25,8 @@ class NominalSource {
 };
 
 /// Bisects the signal-to-noise ratio within what is admissible. Where no admissible value meets the
-/// target, the radar file's own ratio stays, and what would meet it is searched for the record.
+/// target, the radar file's own ratio stays, and what would meet it is searched for the record, if
+/// other assumptions are looked at.
 /// Nothing but the nominal figure enters.
 CalibrationOutcome calibrate(const CalibrationPlan& plan, const NominalSource& nominal,
                              const Extent& extent);
