@@ -13,12 +13,6 @@ namespace {
 /// A merged macro-F1 that counts as recovered.
 constexpr double recovered = 0.95;
 
-const DomainScore* domain_of(const std::vector<DomainScore>& scores, std::string_view name) {
-    const auto found =
-        std::ranges::find_if(scores, [&](const DomainScore& s) { return s.domain == name; });
-    return found == scores.end() ? nullptr : &*found;
-}
-
 const HonestyCheck* check_named(const StudySummary& study, std::string_view name) {
     const auto found = std::ranges::find_if(study.results.checks,
                                             [&](const HonestyCheck& c) { return c.name == name; });
