@@ -52,11 +52,13 @@ void adam_step(const std::vector<MlpLayer<Scalar>>& gradient, Adam<Scalar>& adam
     const StepSize<Scalar> size{
         static_cast<Scalar>(adam.learning_rate / (1.0 - std::pow(mean_decay, n))),
         static_cast<Scalar>(1.0 / std::sqrt(1.0 - std::pow(square_decay, n)))};
+    const auto kept = static_cast<Scalar>(1.0 - adam.learning_rate * adam.weight_decay);
     for (std::size_t l = 0; l < gradient.size(); ++l) {
         const MlpLayer<Scalar>& g = gradient[l];
         MlpLayer<Scalar>& mean = adam.mean[l];
         MlpLayer<Scalar>& square = adam.square[l];
         MlpLayer<Scalar>& layer = network.layers[l];
+        if (adam.weight_decay > 0.0) layer.weight *= kept;
         step_array(g.weight, size, mean.weight, square.weight, layer.weight);
         step_array(g.bias, size, mean.bias, square.bias, layer.bias);
         step_array(g.gamma, size, mean.gamma, square.gamma, layer.gamma);

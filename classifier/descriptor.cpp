@@ -1,11 +1,14 @@
 #include "classifier/descriptor.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <sstream>
+#include <span>
 
 #include "classifier/extract_features.hpp"
+#include "classifier/looks.hpp"
+#include "classifier/normalised_bins.hpp"
+#include "classifier/peak_shape.hpp"
+#include "classifier/relative_profile.hpp"
 #include "sim/core/error.hpp"
 #include "sim/core/format.hpp"
 
@@ -14,7 +17,6 @@ namespace specula {
 namespace {
 
 constexpr int default_windows = 12;
-constexpr std::array<const char*, 3> window_names{"rect", "hann", "blackman"};  // as fw_window
 
 bool has_window(int n_samples) {
     return n_samples == 64 || n_samples == 128 || n_samples == 256 || n_samples == 512;
@@ -80,15 +82,18 @@ void check_fit(const Dataset& dataset, const Descriptor& descriptor) {
         throw InputError(
             "the codes are complex, and the firmware takes real ones only; export "
             "them and import features");
-    check_bins(choice, is_range ? dataset.n_samples : dataset.n_samples / 2,
-               is_range ? "samples" : "range bins");
+    const int n_available = is_range ? dataset.n_samples : dataset.n_samples / 2;
+    check_bins(choice, n_available, is_range ? "samples" : "range bins");
+    check_bins(descriptor.profile(), n_available, "range bins to search");
 }
 
 }  // namespace
 
-std::string Descriptor::text() const {
-    return format("{} {} {} {}", extractor, bins.first_bin, bins.n_bins,
-                  window_names[static_cast<std::size_t>(bins.window)]);
+std::size_t Descriptor::n_features() const {
+    std::size_t n = bins.n_bins;
+    if (is_relative()) n = 2 * n + 1;
+    if (angle_rx > 0) n += 2 * (static_cast<std::size_t>(angle_rx) - 1);
+    return spread ? 2 * n : n;
 }
 
 Descriptor descriptor_for(const Dataset& dataset, const std::optional<BinChoice>& choice) {
@@ -116,37 +121,71 @@ Descriptor descriptor_of(const Model& model) {
     descriptor.bins.n_bins = static_cast<std::uint16_t>(model.input_mean.size());
     for (const auto& [what, value] : model.provenance) {
         if (what != "descriptor") continue;
-        std::istringstream words(value);
-        std::string window;
-        words >> descriptor.extractor >> descriptor.bins.first_bin >> descriptor.bins.n_bins >>
-            window;
-        const auto found = std::ranges::find(window_names, window);
-        if (!words || found == window_names.end() ||
-            descriptor.bins.n_bins != model.input_mean.size())
+        try {
+            descriptor = parse_descriptor(value);
+        } catch (const InputError& error) {
+            throw InputError(format("provenance: {}", error.what()));
+        }
+        if (descriptor.n_features() != model.input_mean.size())
             throw InputError(
                 format("provenance: descriptor = \"{}\": is not one of this model's "
                        "{} inputs; train the model again",
                        value, model.input_mean.size()));
-        descriptor.bins.window = static_cast<fw_window>(found - window_names.begin());
     }
     return descriptor;
 }
 
-FeatureTable describe(const Dataset& dataset, const Descriptor& descriptor, int threads) {
-    check_fit(dataset, descriptor);
+namespace {
+
+FeatureTable frame_features(const Dataset& dataset, const Descriptor& descriptor, int threads) {
     if (descriptor.extractor == "range_bins")
-        return extract_features(dataset, descriptor.bins, threads);
+        return descriptor.uses_peak() || descriptor.normalise.logarithm || descriptor.unit_energy
+                   ? normalised_bins(dataset, descriptor, threads)
+                   : extract_features(dataset, descriptor.bins, threads);
+    if (descriptor.extractor == "relative_profile")
+        return relative_profiles(dataset, descriptor, threads);
+    if (descriptor.extractor == "peak_shape") return peak_shapes(dataset, descriptor, threads);
     FeatureTable table = descriptor.extractor == "columns" ? columns(dataset, descriptor)
                                                            : range_windows(dataset, descriptor);
-    table.extractor = descriptor.extractor;
     table.n_features = descriptor.bins.n_bins;
+    return table;
+}
+
+/// Puts more features behind those of every row.
+void append_columns(const std::vector<float>& more, FeatureTable& table) {
+    const std::size_t n_rows = table.features.size() / table.n_features;
+    const std::size_t n_more = more.size() / n_rows;
+    std::vector<float> features;
+    features.reserve(table.features.size() + more.size());
+    for (std::size_t i = 0; i < n_rows; ++i) {
+        const auto row = std::span(table.features).subspan(i * table.n_features, table.n_features);
+        features.insert(features.end(), row.begin(), row.end());
+        const auto added = std::span(more).subspan(i * n_more, n_more);
+        features.insert(features.end(), added.begin(), added.end());
+    }
+    table.n_features += n_more;
+    table.features = std::move(features);
+}
+
+}  // namespace
+
+FeatureTable describe(const Dataset& dataset, const Descriptor& descriptor, int threads) {
+    check_fit(dataset, descriptor);
+    FeatureTable table = frame_features(dataset, descriptor, threads);
+    if (descriptor.angle_rx > 0) append_columns(angle_cues(dataset, descriptor, threads), table);
+    table.extractor = descriptor.extractor;
     table.class_names = dataset.class_names;
+    table.label.clear();
+    table.world.clear();
+    table.session.clear();
     for (const Truth& truth : dataset.truth) {
         table.label.push_back(truth.label);
         table.world.push_back(truth.world);
         table.session.push_back(truth.session);
     }
-    return table;
+    if (descriptor.looks < 2) return table;
+    return combine_looks(
+        table, {.count = static_cast<std::size_t>(descriptor.looks), .spread = descriptor.spread});
 }
 
 }  // namespace specula

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "classifier/unrolled.hpp"
 #include "sim/core/expect.hpp"
 
 namespace specula {
@@ -55,7 +56,8 @@ void fold_forward(const BatchNorm& norm, AffineLayer<double>& layer) {
 
 }  // namespace
 
-AffineLayer<double> folded(const HiddenLayer& layer) {
+AffineLayer<double> folded(const HiddenLayer& hidden) {
+    const HiddenLayer layer = unrolled(hidden);
     AffineLayer<double> result{.n_in = layer.n_in,
                                .n_out = layer.n_out,
                                .weight = {layer.weight.begin(), layer.weight.end()},
@@ -77,7 +79,7 @@ std::vector<AffineLayer<double>> folded_layers(const Model& model) {
     for (const HiddenLayer& layer : model.hidden) {
         layers.push_back(folded(layer));
         if (ahead) fold_forward(*ahead, layers.back());
-        ahead = layer.after_relu;
+        ahead = unrolled(layer).after_relu;
     }
     layers.push_back({.n_in = model.output.n_in,
                       .n_out = model.output.n_out,

@@ -19,7 +19,7 @@ struct AffineLayer {
 
 /// The linear part of a hidden layer with the batch normalisation before its ReLU, in double:
 /// weight' = s weight, bias' = beta + s (bias - mean), with
-/// s = gamma / sqrt(variance + batch_norm_epsilon).
+/// s = gamma / sqrt(variance + batch_norm_epsilon). A convolution comes unrolled.
 AffineLayer<double> folded(const HiddenLayer& layer);
 
 /// All layers, in double. A normalisation of the inputs, or one behind a ReLU, goes into the layer

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "classifier/unrolled.hpp"
 #include "sim/core/expect.hpp"
 
 namespace specula {
@@ -115,7 +116,8 @@ IntegerLayer quantise_layer(const AffineLayer<double>& layer, const Incoming& in
 
 }  // namespace
 
-IntegerModel quantise(const Model& model, fw_int_width width) {
+IntegerModel quantise(const Model& trained, fw_int_width width) {
+    const Model model = unrolled(trained);
     const FoldedModel folded = fold(model);
     const std::vector<AffineLayer<double>> layers = folded_layers(model);
     Incoming incoming{.reach = reach_in_sigma, .levels = largest_of(width)};

@@ -73,6 +73,13 @@ std::vector<std::optional<double>> recall_per_class(const Confusion& confusion) 
     return recall;
 }
 
+WorstDomain worst_domain(std::span<const double> macro_f1_per_domain) {
+    SPECULA_EXPECT(!macro_f1_per_domain.empty());
+    const auto worst = std::ranges::min_element(macro_f1_per_domain);
+    return {.domain = static_cast<std::size_t>(worst - macro_f1_per_domain.begin()),
+            .macro_f1 = *worst};
+}
+
 Interval bootstrap_mean(const std::vector<double>& per_world, const StreamKey& key) {
     SPECULA_EXPECT(!per_world.empty());
     const double mean = mean_of(per_world);

@@ -30,6 +30,14 @@ double macro_f1(const Confusion& confusion);
 /// Share of each true class that was recognised, in [0, 1]; nothing for classes not in the truth.
 std::vector<std::optional<double>> recall_per_class(const Confusion& confusion);
 
+/// The domain in which a model does worst.
+struct WorstDomain {
+    std::size_t domain = 0;  ///< the first of equals
+    double macro_f1 = 0.0;
+};
+/// @in  macro_f1_per_domain  at least one, finite
+WorstDomain worst_domain(std::span<const double> macro_f1_per_domain);
+
 /// Mean over worlds with its 95 % percentile-bootstrap interval, 10,000 resamples of the worlds.
 ///
 /// The same key and number of worlds give the same resamples: intervals of several quantities, or

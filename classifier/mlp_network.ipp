@@ -6,7 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "classifier/model.hpp"
+#include "classifier/convolution_patches.hpp"
+#include "classifier/network_loss.hpp"
 #include "sim/core/expect.hpp"
 
 namespace specula {
@@ -57,24 +58,50 @@ void through_normalisation(const MlpLayer<Scalar>& layer, Eigen::Index n_example
                 hidden.gain.array();
 }
 
-/// Mean cross-entropy by log-sum-exp; leaves d loss / d logit.
+/// Rows and columns as a layer takes them from contiguous storage.
 template <typename Scalar>
-double cross_entropy(MlpWorkspace<Scalar>& w) {
-    auto logits = w.logits.leftCols(w.n_examples);
-    auto gradient = w.logit_gradient.leftCols(w.n_examples);
-    for (Eigen::Index j = 0; j < w.n_examples; ++j)
-        gradient.col(j).array() = logits.col(j).array() - logits.col(j).maxCoeff();
-    double loss = 0.0;
-    for (Eigen::Index j = 0; j < w.n_examples; ++j) loss -= gradient(w.label[j], j);
-    gradient = gradient.array().exp();
-    const Scalar inverse_n = Scalar(1) / static_cast<Scalar>(w.n_examples);
-    for (Eigen::Index j = 0; j < w.n_examples; ++j) {
-        const Scalar sum = gradient.col(j).sum();
-        loss += std::log(static_cast<double>(sum));
-        gradient.col(j) *= inverse_n / sum;
-        gradient(w.label[j], j) -= inverse_n;
+Eigen::Map<const Matrix<Scalar>> seen_as(const Matrix<Scalar>& storage, Eigen::Index n_rows,
+                                         Eigen::Index n_columns) {
+    return {storage.data(), n_rows, n_columns};
+}
+
+/// What the weights of layer l are multiplied with: the values below it, or patches of them.
+template <typename Scalar>
+Eigen::Map<const Matrix<Scalar>> layer_input(const MlpNetwork<Scalar>& network,
+                                             const MlpWorkspace<Scalar>& w, std::size_t l) {
+    const Matrix<Scalar>& storage = l < network.convolution.size() ? w.patches[l]
+                                    : l > 0                        ? w.hidden[l - 1].output
+                                                                   : w.input;
+    return seen_as(storage, network.layers[l].weight.cols(), w.n_examples * network.n_positions(l));
+}
+
+template <typename Scalar>
+void gather_input(const MlpNetwork<Scalar>& network, std::size_t l, MlpWorkspace<Scalar>& w) {
+    const Matrix<Scalar>& below = l > 0 ? w.hidden[l - 1].output : w.input;
+    const Convolution& convolution = network.convolution[l];
+    const auto n_channels =
+        network.layers[l].weight.cols() / static_cast<Eigen::Index>(convolution.kernel);
+    gather_patches(convolution, seen_as(below, n_channels * network.n_positions(l), w.n_examples),
+                   w.patches[l]);
+}
+
+/// d loss / d (values below layer l) from `d`, d loss / d (sums of layer l).
+template <typename Scalar, typename Gradient>
+void gradient_below(const MlpNetwork<Scalar>& network, std::size_t l, const Gradient& d,
+                    MlpWorkspace<Scalar>& w) {
+    const Matrix<Scalar>& weight = network.layers[l].weight;
+    Scalar* const below = w.hidden[l - 1].gradient.data();
+    if (l >= network.convolution.size()) {
+        Eigen::Map<Matrix<Scalar>> rows(below, weight.cols(), w.n_examples);
+        rows.noalias() = weight.transpose() * d;
+        return;
     }
-    return loss / static_cast<double>(w.n_examples);
+    const Convolution& convolution = network.convolution[l];
+    const auto n_channels = weight.cols() / static_cast<Eigen::Index>(convolution.kernel);
+    Eigen::Map<Matrix<Scalar>> rows(below, n_channels * network.n_positions(l), w.n_examples);
+    auto patches = w.patch_gradient[l].leftCols(d.cols());
+    patches.noalias() = weight.transpose() * d;
+    scatter_patches(convolution, patches, rows);
 }
 
 }  // namespace
@@ -82,43 +109,75 @@ double cross_entropy(MlpWorkspace<Scalar>& w) {
 template <typename Scalar>
 MlpNetwork<Scalar> initial_network(const std::vector<int>& widths, Stream& stream) {
     SPECULA_EXPECT(widths.size() >= 2);
-    SPECULA_EXPECT(std::ranges::all_of(widths, [](int width) { return width > 0; }));
+    return initial_network<Scalar>({.n_features = widths.front(),
+                                    .channels = {},
+                                    .hidden = {widths.begin() + 1, widths.end() - 1},
+                                    .n_classes = widths.back()},
+                                   stream);
+}
+
+template <typename Scalar>
+MlpNetwork<Scalar> initial_network(const NetworkShape& shape, Stream& stream) {
+    SPECULA_EXPECT(shape.n_features > 0 && shape.n_classes > 0 && shape.kernel % 2 == 1);
     MlpNetwork<Scalar> network;
-    for (std::size_t l = 0; l + 1 < widths.size(); ++l) {
-        const int n_in = widths[l];
-        const int n_out = widths[l + 1];
-        const double bound = 1.0 / std::sqrt(static_cast<double>(n_in));
-        const auto draw = [&] {
+    const auto uniform_within = [&stream](double bound) {
+        return [&stream, bound] {
             return static_cast<Scalar>(bound * (2.0 * stream.uniform() - 1.0));
         };
-        MlpLayer<Scalar> layer;
-        layer.weight = Matrix<Scalar>::NullaryExpr(n_out, n_in, draw);
-        if (l + 2 < widths.size()) {
-            layer.gamma.setOnes(n_out);
-            layer.beta.setZero(n_out);
-            network.running.push_back({.mean = ColumnVector<Scalar>::Zero(n_out),
-                                       .variance = ColumnVector<Scalar>::Ones(n_out)});
-        } else {
-            layer.bias = ColumnVector<Scalar>::NullaryExpr(n_out, draw);
-        }
-        network.layers.push_back(layer);
+    };
+    const auto add = [&](int n_in, int n_out) {
+        SPECULA_EXPECT(n_out > 0);
+        const auto draw = uniform_within(1.0 / std::sqrt(static_cast<double>(n_in)));
+        network.layers.push_back({.weight = Matrix<Scalar>::NullaryExpr(n_out, n_in, draw),
+                                  .bias = {},
+                                  .gamma = {},
+                                  .beta = {}});
+    };
+    const auto normalise = [&](int n_out) {
+        network.layers.back().gamma.setOnes(n_out);
+        network.layers.back().beta.setZero(n_out);
+        network.running.push_back({.mean = ColumnVector<Scalar>::Zero(n_out),
+                                   .variance = ColumnVector<Scalar>::Ones(n_out)});
+    };
+    int n_channels = 1;
+    for (const int channels : shape.channels) {
+        add(shape.kernel * n_channels, channels);
+        normalise(channels);
+        network.convolution.push_back({.n_positions = static_cast<std::size_t>(shape.n_features),
+                                       .kernel = static_cast<std::size_t>(shape.kernel)});
+        n_channels = channels;
     }
+    int n_in = shape.n_features * n_channels;
+    for (const int units : shape.hidden) {
+        add(n_in, units);
+        normalise(units);
+        n_in = units;
+    }
+    add(n_in, shape.n_classes);
+    network.layers.back().bias = ColumnVector<Scalar>::NullaryExpr(
+        shape.n_classes, uniform_within(1.0 / std::sqrt(static_cast<double>(n_in))));
     return network;
 }
 
 template <typename Scalar>
 MlpWorkspace<Scalar>::MlpWorkspace(const MlpNetwork<Scalar>& network, Eigen::Index max_examples)
-    : input(network.layers.front().weight.cols(), max_examples),
+    : input(network.convolution.empty() ? network.layers.front().weight.cols()
+                                        : network.n_positions(0),
+            max_examples),
       label(static_cast<std::size_t>(max_examples)),
       logits(network.layers.back().weight.rows(), max_examples),
       logit_gradient(logits),
       gradient(network.layers) {
     for (std::size_t l = 0; l < network.n_hidden(); ++l) {
-        const Matrix<Scalar> buffer(network.layers[l].weight.rows(), max_examples);
+        const Eigen::Index n_columns = max_examples * network.n_positions(l);
+        if (l < network.convolution.size())
+            patches.emplace_back(network.layers[l].weight.cols(), n_columns);
+        const Matrix<Scalar> buffer(network.layers[l].weight.rows(), n_columns);
         const ColumnVector<Scalar> per_unit(buffer.rows());
         hidden.push_back(
             {buffer, buffer, buffer, per_unit, per_unit, per_unit, per_unit, per_unit, per_unit});
     }
+    patch_gradient = patches;
 }
 
 template <typename Scalar>
@@ -130,42 +189,57 @@ void load_batch(const Matrix<Scalar>& inputs, std::span<const std::uint8_t> labe
         workspace.input.col(static_cast<Eigen::Index>(j)) = inputs.col(chosen[j]);
         workspace.label[j] = labels[chosen[j]];
     }
+    workspace.own_share = 1.0;
+}
+
+template <typename Scalar>
+void load_mixed_batch(const Matrix<Scalar>& inputs, std::span<const std::uint8_t> labels,
+                      const MixedRows& rows, MlpWorkspace<Scalar>& workspace) {
+    SPECULA_EXPECT(rows.other.size() == rows.chosen.size());
+    load_batch(inputs, labels, rows.chosen, workspace);
+    workspace.own_share = rows.share;
+    workspace.other_label.resize(rows.other.size());
+    const auto own = static_cast<Scalar>(rows.share);
+    const auto other = static_cast<Scalar>(1.0 - rows.share);
+    for (std::size_t j = 0; j < rows.other.size(); ++j) {
+        auto column = workspace.input.col(static_cast<Eigen::Index>(j));
+        column = own * column + other * inputs.col(rows.other[j]);
+        workspace.other_label[j] = labels[rows.other[j]];
+    }
 }
 
 template <typename Scalar>
 double forward_train(MlpNetwork<Scalar>& network, MlpWorkspace<Scalar>& w) {
     SPECULA_EXPECT(w.n_examples >= 2);
-    const Eigen::Index n = w.n_examples;
-    const Matrix<Scalar>* in = &w.input;
     for (std::size_t l = 0; l < network.n_hidden(); ++l) {
         const MlpLayer<Scalar>& layer = network.layers[l];
-        auto sums = w.hidden[l].normalised.leftCols(n);
-        sums.noalias() = layer.weight * in->leftCols(n);
+        if (l < network.convolution.size()) gather_input(network, l, w);
+        const auto in = layer_input(network, w, l);
+        auto sums = w.hidden[l].normalised.leftCols(in.cols());
+        sums.noalias() = layer.weight * in;
         if (layer.bias.size() > 0) sums.colwise() += layer.bias;
-        normalise_and_rectify(layer, network.running[l], n, w.hidden[l]);
-        in = &w.hidden[l].output;
+        normalise_and_rectify(layer, network.running[l], in.cols(), w.hidden[l]);
     }
-    auto logits = w.logits.leftCols(n);
-    logits.noalias() = network.layers.back().weight * in->leftCols(n);
+    auto logits = w.logits.leftCols(w.n_examples);
+    logits.noalias() = network.layers.back().weight * layer_input(network, w, network.n_hidden());
     logits.colwise() += network.layers.back().bias;
     return cross_entropy(w);
 }
 
 template <typename Scalar>
 void backward(const MlpNetwork<Scalar>& network, MlpWorkspace<Scalar>& w) {
-    const Eigen::Index n = w.n_examples;
-    const Matrix<Scalar>* d = &w.logit_gradient;
+    const Matrix<Scalar>* gradient_of_sums = &w.logit_gradient;
     for (std::size_t l = network.layers.size(); l-- > 0;) {
-        const Matrix<Scalar>& in = l > 0 ? w.hidden[l - 1].output : w.input;
+        const auto in = layer_input(network, w, l);
+        const auto d = gradient_of_sums->leftCols(in.cols());
         MlpLayer<Scalar>& gradient = w.gradient[l];
-        gradient.weight.noalias() = d->leftCols(n) * in.leftCols(n).transpose();
-        if (gradient.bias.size() > 0) gradient.bias = d->leftCols(n).rowwise().sum();
+        gradient.weight.noalias() = d * in.transpose();
+        if (gradient.bias.size() > 0) gradient.bias = d.rowwise().sum();
         if (l == 0) break;
-        auto& below = w.hidden[l - 1];
-        below.gradient.leftCols(n).noalias() =
-            network.layers[l].weight.transpose() * d->leftCols(n);
-        through_normalisation(network.layers[l - 1], n, below, w.gradient[l - 1]);
-        d = &below.gradient;
+        gradient_below(network, l, d, w);
+        through_normalisation(network.layers[l - 1], w.n_examples * network.n_positions(l - 1),
+                              w.hidden[l - 1], w.gradient[l - 1]);
+        gradient_of_sums = &w.hidden[l - 1].gradient;
     }
 }
 
@@ -175,6 +249,12 @@ Matrix<Scalar> eval_logits(const MlpNetwork<Scalar>& network, const Matrix<Scala
     for (std::size_t l = 0; l < network.n_hidden(); ++l) {
         const MlpLayer<Scalar>& layer = network.layers[l];
         const RunningStatistics<Scalar>& running = network.running[l];
+        const bool convolves = l < network.convolution.size();
+        if (convolves) {
+            Matrix<Scalar> patches(layer.weight.cols(), inputs.cols() * network.n_positions(l));
+            gather_patches(network.convolution[l], x, patches);
+            x.swap(patches);
+        }
         Matrix<Scalar> sums = layer.weight * x;
         if (layer.bias.size() > 0) sums.colwise() += layer.bias;
         const ColumnVector<Scalar> slope =
@@ -183,6 +263,7 @@ Matrix<Scalar> eval_logits(const MlpNetwork<Scalar>& network, const Matrix<Scala
         sums.colwise() -= running.mean;
         x = ((sums.array().colwise() * slope.array()).colwise() + layer.beta.array())
                 .max(Scalar(0));
+        if (convolves) x.resize(x.size() / inputs.cols(), inputs.cols());  // moves no value
     }
     return (network.layers.back().weight * x).colwise() + network.layers.back().bias;
 }

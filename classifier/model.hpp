@@ -21,6 +21,13 @@ struct BatchNorm {
     std::vector<float> variance;  ///< >= 0
 };
 
+/// How the units of a layer see a row of positions: each its own neighbourhood, all with the same
+/// weights; beyond the ends of the row there are zeros.
+struct Convolution {
+    std::size_t n_positions = 0;  ///< of what comes in and goes out, >= 1
+    std::size_t kernel = 1;       ///< positions seen at once, odd
+};
+
 /// x -> ReLU(gamma * (weight x - mean) / sqrt(variance + batch_norm_epsilon) + beta).
 ///
 /// No bias before the normalisation, which would cancel it: its exact gradient is 0, and Adam turns
@@ -38,6 +45,9 @@ struct HiddenLayer {
     std::vector<float> variance;            ///< (out), running unbiased variance, >= 0
     std::vector<float> bias{};              ///< (out), or empty: none
     std::optional<BatchNorm> after_relu{};  ///< (out)
+    /// Values of a row lie position by position, the channels of one side by side. Then weight is
+    /// (channel out, kernel, channel in), and all that is one per output is one per channel.
+    std::optional<Convolution> convolution{};
 };
 
 /// x -> weight x + bias.

@@ -3,6 +3,7 @@
 #include <cstring>
 #include <limits>
 
+#include "classifier/descriptor.hpp"
 #include "classifier/export_c.hpp"
 #include "classifier/folded_model.hpp"
 #include "classifier/integer_model.hpp"
@@ -78,6 +79,21 @@ void check(const Model& model) {
             format("measurement.n_bins = {}: but the model takes {} features; train "
                    "it again",
                    model.measurement->descriptor.n_bins, model.n_features()));
+    const Descriptor descriptor = descriptor_of(model);
+    if (descriptor.is_relative() || descriptor.unit_energy ||
+        descriptor.angle_rx > 0 || descriptor.looks > 1)
+        throw InputError(
+            format("descriptor = \"{}\": the firmware does not compute it; train on range_bins "
+                   "with align, range and log, or export the network alone as --onnx",
+                   descriptor.text()));
+}
+
+void write_normalisation(const Descriptor& descriptor, BlobWriter& out) {
+    const fw_normalise_config& steps = descriptor.normalise;
+    out.u16(static_cast<std::uint16_t>((steps.align ? 1 : 0) + (steps.compensate_range ? 2 : 0) +
+                                       (steps.logarithm ? 4 : 0)));
+    out.f32(steps.target_bin);
+    out.f32(steps.floor_lsb);
 }
 
 void write_chirp(const fw_chirp& chirp, BlobWriter& out) {
@@ -109,11 +125,13 @@ void write_facts(const Model& model, fw_arithmetic arithmetic, const NetworkFact
     out.u16(static_cast<std::uint16_t>(descriptor.window));
     out.u16(static_cast<std::uint16_t>(descriptor.integration));
     out.u16(static_cast<std::uint16_t>(descriptor.path));
-    out.u16(0);  // normalisation: this program trains on amplitudes as they are
-    out.f32(0.0f);
-    out.f32(0.0f);
-    out.u16(descriptor.first_bin);
-    out.u16(descriptor.n_bins);
+    const Descriptor trained_on = descriptor_of(model);
+    write_normalisation(trained_on, out);
+    const BinChoice search = trained_on.uses_peak()
+                                 ? trained_on.profile()
+                                 : BinChoice{descriptor.first_bin, descriptor.n_bins};
+    out.u16(static_cast<std::uint16_t>(search.first));
+    out.u16(static_cast<std::uint16_t>(search.count));
     write_chirp(model.measurement->chirp, out);
     for (std::size_t l = 0; l < FW_MLP_MAX_LAYERS; ++l)
         out.u16(l < network.widths.size() ? network.widths[l] : 0);

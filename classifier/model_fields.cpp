@@ -38,6 +38,22 @@ BatchNorm read_batch_norm(const JsonField& field, std::size_t n) {
             .variance = field.at("variance").numbers(n, 0.0f)};
 }
 
+FloatJson convolution_json(const Convolution& convolution) {
+    return {{"positions", convolution.n_positions}, {"kernel", convolution.kernel}};
+}
+
+Convolution read_convolution(const JsonField& field, std::size_t n_in) {
+    const JsonField positions = field.at("positions");
+    const JsonField kernel = field.at("kernel");
+    const Convolution convolution{.n_positions = positions.integer_as<std::uint16_t>(),
+                                  .kernel = kernel.integer_as<std::uint16_t>()};
+    if (convolution.n_positions == 0 || n_in % convolution.n_positions != 0)
+        positions.fail(format("does not part the {} values that come in", n_in),
+                       "train the model again");
+    if (convolution.kernel % 2 == 0) kernel.fail("is even", "use an odd one");
+    return convolution;
+}
+
 FloatJson measurement_json(const Measurement& measurement) {
     const fw_chirp& chirp = measurement.chirp;
     const fw_extract_config& descriptor = measurement.descriptor;

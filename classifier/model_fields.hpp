@@ -12,6 +12,10 @@ namespace specula {
 FloatJson batch_norm_json(const BatchNorm& norm);
 BatchNorm read_batch_norm(const JsonField& field, std::size_t n);
 
+FloatJson convolution_json(const Convolution& convolution);
+/// @in  n_in  values that come in; whole positions of them
+Convolution read_convolution(const JsonField& field, std::size_t n_in);
+
 FloatJson measurement_json(const Measurement& measurement);
 Measurement read_measurement(const JsonField& field);
 

@@ -19,10 +19,11 @@ namespace specula {
 namespace {
 
 constexpr const char* format_name = "specula model";
-constexpr std::int64_t format_version = 1;
+constexpr std::int64_t format_version = 2;  // 1 knew no convolution
 constexpr std::uintmax_t max_bytes = 16u << 20;
 constexpr std::size_t max_width = std::numeric_limits<std::uint16_t>::max();  // of fw_layer
-constexpr std::size_t max_classes = 256;                                      // labels are bytes
+constexpr std::size_t max_weights = 4u << 20;  // of a layer as the firmware would run it
+constexpr std::size_t max_classes = 256;       // labels are bytes
 constexpr float lowest = std::numeric_limits<float>::lowest();
 
 FloatJson rows(const std::vector<float>& values, std::size_t n_in) {
@@ -80,8 +81,16 @@ std::vector<float> read_rows(const JsonField& field, std::size_t n_in) {
     return values;
 }
 
+/// Weights of one unit: all that comes in, or what a convolution sees of it.
+std::size_t columns_of(const HiddenLayer& layer) {
+    if (!layer.convolution) return layer.n_in;
+    return layer.n_in / layer.convolution->n_positions * layer.convolution->kernel;
+}
+
 FloatJson hidden_json(const HiddenLayer& layer) {
-    FloatJson json{{"weight", rows(layer.weight, layer.n_in)}};
+    FloatJson json = FloatJson::object();
+    if (layer.convolution) json["convolution"] = convolution_json(*layer.convolution);
+    json["weight"] = rows(layer.weight, columns_of(layer));
     if (!layer.bias.empty()) json["bias"] = layer.bias;
     if (!layer.gamma.empty())
         json.update(batch_norm_json({layer.gamma, layer.beta, layer.mean, layer.variance}));
@@ -92,13 +101,18 @@ FloatJson hidden_json(const HiddenLayer& layer) {
 HiddenLayer read_hidden(const JsonField& field, std::size_t n_in) {
     HiddenLayer layer;
     layer.n_in = n_in;
-    layer.weight = read_rows(field.at("weight"), n_in);
-    layer.n_out = layer.weight.size() / n_in;
-    if (field.has("bias")) layer.bias = field.at("bias").numbers(layer.n_out, lowest);
+    if (field.has("convolution"))
+        layer.convolution = read_convolution(field.at("convolution"), n_in);
+    layer.weight = read_rows(field.at("weight"), columns_of(layer));
+    const std::size_t n_units = layer.weight.size() / columns_of(layer);
+    layer.n_out = n_units * (layer.convolution ? layer.convolution->n_positions : 1);
+    if (layer.n_out > max_width || layer.n_in * layer.n_out > max_weights)
+        field.at("weight").fail("makes a layer too wide", "use fewer units or channels");
+    if (field.has("bias")) layer.bias = field.at("bias").numbers(n_units, lowest);
     if (field.has("after_relu"))
-        layer.after_relu = read_batch_norm(field.at("after_relu"), layer.n_out);
+        layer.after_relu = read_batch_norm(field.at("after_relu"), n_units);
     if (!field.has("gamma") && field.has("after_relu")) return layer;
-    const BatchNorm before = read_batch_norm(field, layer.n_out);
+    const BatchNorm before = read_batch_norm(field, n_units);
     layer.gamma = before.gamma;
     layer.beta = before.beta;
     layer.mean = before.mean;
@@ -119,9 +133,10 @@ std::vector<std::string> read_class_names(const JsonField& field) {
 Model read_fields(const JsonField& root) {
     if (root.at("format").text() != format_name)
         root.at("format").fail("is another kind of file", "name a model file");
-    if (root.at("version").integer() != format_version)
+    const std::int64_t version = root.at("version").integer();
+    if (version < 1 || version > format_version)
         root.at("version").fail("is not a version this program reads",
-                                format("use a model of version {}", format_version));
+                                format("use a model of version {} or before", format_version));
     Model model;
     model.extractor = root.at("extractor").text();
     model.class_names = read_class_names(root.at("class_names"));
@@ -161,7 +176,8 @@ Model read_fields(const JsonField& root) {
 void write_model(const Model& model, const std::filesystem::path& file) {
     FloatJson root;
     root["format"] = format_name;
-    root["version"] = format_version;
+    const auto convolves = [](const HiddenLayer& layer) { return layer.convolution.has_value(); };
+    root["version"] = std::ranges::any_of(model.hidden, convolves) ? format_version : 1;
     root["extractor"] = model.extractor;
     root["class_names"] = model.class_names;
     root["provenance"] = FloatJson::object();

@@ -44,6 +44,11 @@ static bool positive(float value) {
     return value > 0.0f && value <= FLT_MAX;
 }
 
+float fw_peak_bin(const fw_bins* profile) {
+    if (profile == NULL || profile->amplitude == NULL || profile->n_bins == 0) return 0.0f;
+    return (float)profile->first_bin + peak_place(profile->amplitude, profile->n_bins);
+}
+
 bool fw_normalise_valid(const fw_normalise_config* config) {
     if (config == NULL) return false;
     const bool uses_target = config->align || config->compensate_range;
@@ -61,7 +66,7 @@ fw_status fw_normalise(const fw_bins* profile, const fw_normalise_config* config
     if (!fw_normalise_valid(config)) return FW_ERR_CONFIG;
     if (!fw_all_finite(profile->amplitude, profile->n_bins)) return FW_ERR_NONFINITE;
 
-    const float peak = (float)profile->first_bin + peak_place(profile->amplitude, profile->n_bins);
+    const float peak = fw_peak_bin(profile);
     const float shift = config->align ? peak - config->target_bin : 0.0f;
     const float gain = config->compensate_range ? peak / config->target_bin : 1.0f;
     const float limit = FLT_MAX / 16.0f / (gain > 1.0f ? gain : 1.0f); /* the cubic adds 4 terms */

@@ -36,6 +36,11 @@ typedef struct fw_bins {
     uint16_t first_bin, n_bins;
 } fw_bins;
 
+/* The bin of the strongest peak, counted from bin 0 of the spectrum: between bins by the parabola
+ * through the largest amplitude and its neighbours; at either end of the profile, the bin itself.
+ * 0 where profile or its amplitudes are NULL or empty. Time: n_bins comparisons. */
+float fw_peak_bin(const fw_bins* profile);
+
 /* Whether a configuration can be applied: target_bin finite and > 0 if it is used, so floor_lsb.
  * false for NULL. Time: constant. */
 bool fw_normalise_valid(const fw_normalise_config* config);

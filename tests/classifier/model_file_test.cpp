@@ -93,8 +93,8 @@ TEST_CASE("a model file has one row of weights per line and short numbers", "[mo
 TEST_CASE("what is wrong in a model file is named by field", "[model file]") {
     CHECK(problem_with("specula model", "other") ==
           "format = \"other\": is another kind of file; name a model file");
-    CHECK(problem_with("\"version\": 1", "\"version\": 2") ==
-          "version = 2: is not a version this program reads; use a model of version 1");
+    CHECK(problem_with("\"version\": 1", "\"version\": 3") ==
+          "version = 3: is not a version this program reads; use a model of version 2 or before");
     CHECK(problem_with("\"extractor\": \"random\"", "\"extractor\": 3") ==
           "extractor = 3: is not text; put it in quotes");
     CHECK(problem_with("\"extractor\"", "\"extractr\"") ==

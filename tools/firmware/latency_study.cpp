@@ -145,7 +145,7 @@ LatencyStudy study_latency(const LatencyRequest& request, const Catalogue& catal
     write_frames(recorded.one_frame, place.folder / "frames.bin");
     LatencyStudy study{.experiment = experiment.name,
                        .worlds = request.worlds,
-                       .epochs = experiment.full.epochs,
+                       .epochs = experiment.usual.epochs,
                        .points = {}};
     const RunSettings run{.seed = experiment.seed,
                           .worlds = request.worlds,
@@ -155,7 +155,7 @@ LatencyStudy study_latency(const LatencyRequest& request, const Catalogue& catal
     for (const std::vector<int>& hidden : sizes) {
         TrainOptions options = experiment.classifier;
         options.hidden = hidden;
-        options.epochs = experiment.full.epochs;
+        options.epochs = experiment.usual.epochs;
         std::vector<Model> models = train_worlds(recorded.splits, options, run, progress);
         for (Model& model : models) model.measurement = recorded.measurement;
         for (std::size_t i = 0; i < 3; ++i) {

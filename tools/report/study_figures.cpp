@@ -6,6 +6,7 @@
 #include "tools/report/f1_figure.hpp"
 #include "tools/report/number_text.hpp"
 #include "tools/report/range_profile_figure.hpp"
+#include "tools/report/result_figures.hpp"
 
 namespace specula {
 namespace {
@@ -107,6 +108,9 @@ std::vector<StudyFigure> study_figures(const StudySummary& study) {
         if (!condition.features.empty())
             panels.push_back({condition.result.name, condition.result.title, condition.features});
     if (!panels.empty()) figures.push_back(drift(study, panels));
+    for (const auto part :
+         {attribution_figures, remedy_figures, severity_figures, check_figures, monitor_figures})
+        for (StudyFigure& figure : part(study)) figures.push_back(std::move(figure));
     return figures;
 }
 

@@ -9,7 +9,16 @@
 namespace specula {
 
 /// Where on the page a figure belongs.
-enum class FigurePlace { overview, paper, drift };
+enum class FigurePlace {
+    overview,
+    paper,
+    drift,
+    attribution,
+    remedies,
+    severity,
+    checks,
+    monitors
+};
 
 struct StudyFigure {
     Figure figure;

@@ -7,6 +7,7 @@
 #include "tools/report/html_report.hpp"
 #include "tools/report/number_text.hpp"
 #include "tools/report/render_figure.hpp"
+#include "tools/report/result_tables.hpp"
 #include "tools/report/study_findings.hpp"
 #include "tools/report/study_numbers.hpp"
 #include "tools/report/study_tables.hpp"
@@ -84,16 +85,40 @@ std::vector<std::pair<std::string, std::string>> provenance(const StudySummary& 
     return entries;
 }
 
+/// Sections of what a study found beyond its conditions.
+void add_results(const StudySummary& study, const std::vector<DrawnStudyFigure>& figures,
+                 ReportPage& page) {
+    page.sections.push_back({"Where the loss comes from",
+                             {},
+                             attribution_tables(study),
+                             figures_at(figures, FigurePlace::attribution)});
+    page.sections.push_back({"Remedies, one by one",
+                             {},
+                             remedy_tables(study),
+                             figures_at(figures, FigurePlace::remedies)});
+    page.sections.push_back({"How severe a shift may be",
+                             {},
+                             severity_tables(study),
+                             figures_at(figures, FigurePlace::severity)});
+    page.sections.push_back({"What could warn of a shift",
+                             {},
+                             confidence_tables(study),
+                             figures_at(figures, FigurePlace::monitors)});
+    page.sections.push_back({"Whether this can be believed",
+                             {},
+                             check_tables(study),
+                             figures_at(figures, FigurePlace::checks)});
+}
+
 FigureWidth width_at(FigurePlace place) {
     switch (place) {
         case FigurePlace::overview:
             return FigureWidth::column;
         case FigurePlace::paper:
-            break;
-        case FigurePlace::drift:
+            return FigureWidth::half;
+        default:
             return FigureWidth::full;
     }
-    return FigureWidth::half;
 }
 
 DrawnStudyFigure drawn(const std::filesystem::path& folder, const StudyFigure& study_figure) {
@@ -117,10 +142,13 @@ ReportPage study_page(const StudySummary& study, const std::vector<DrawnStudyFig
                     .summary = summary(study),
                     .sections = {},
                     .provenance = provenance(study)};
+    std::vector<ReportTable> scores{macro_f1_table(study)};
+    for (ReportTable& table : part_tables(study)) scores.push_back(std::move(table));
     page.sections = {
+        {"In plain words", plain_words(study), {}, {}},
         {"Macro-F1 under each condition",
-         {},
-         {macro_f1_table(study)},
+         {calibration_words(study.results.calibration)},
+         scores,
          figures_at(figures, FigurePlace::overview)},
         {"What agrees, what does not, and why", study_findings(study), {}, {}},
         {"The paper\u2019s figures, simulated", {}, {}, figures_at(figures, FigurePlace::paper)},
@@ -128,6 +156,10 @@ ReportPage study_page(const StudySummary& study, const std::vector<DrawnStudyFig
          radar.text.empty() ? std::vector<Paragraph>{} : std::vector{radar},
          {monitor_table(study)},
          figures_at(figures, FigurePlace::drift)}};
+    add_results(study, figures, page);
+    std::erase_if(page.sections, [](const ReportSection& section) {
+        return section.paragraphs.empty() && section.tables.empty() && section.figures.empty();
+    });
     if (!study.warnings.empty())
         page.sections.push_back({"Beyond what is known", known_limits(study), {}, {}});
     return page;

@@ -9,6 +9,7 @@
 
 #include "classifier/report.hpp"
 #include "tools/report/class_profile.hpp"
+#include "tools/report/study_results.hpp"
 
 namespace specula {
 
@@ -53,6 +54,9 @@ struct StudySummary {
     std::string title;            ///< of the page
     std::string paper_reference;  ///< authors, title, where; empty: not printed
     std::vector<StudyCondition> conditions;
+    std::vector<StudyCondition> parts;        ///< single heights and tilts of conditions of several
+    StudyResults results;                     ///< what was asked beyond the conditions
+    int repeats = 1;                          ///< trainings per world
     std::vector<std::string> class_names;     ///< (class)
     std::vector<std::size_t> merged_classes;  ///< classes that count as one in `merged` figures
     std::string merged_label;                 ///< for people, e.g. "iron and aluminium merged"

@@ -11,8 +11,8 @@ constexpr const char* none = "\u2013";
 
 std::string f1_note(const StudySummary& study) {
     std::string note =
-        "Intervals are 95\u00a0% percentile bootstraps over worlds. A world is one draw of "
-        "samples, "
+        "Intervals are 95\u00a0% percentile bootstraps over worlds, and within them over "
+        "sessions. A world is one draw of samples, "
         "placements, clutter and sessions. Frames are not resampled: frames of one session are not "
         "independent. Difference: simulated minus paper, in points.";
     if (study.calibration)

@@ -19,6 +19,7 @@
 #include "tools/specula/dataset_options.hpp"
 #include "tools/specula/firmware_options.hpp"
 #include "tools/specula/home.hpp"
+#include "tools/specula/learning_options.hpp"
 #include "tools/specula/sweep_options.hpp"
 
 namespace specula {
@@ -54,7 +55,12 @@ void add_study(CLI::App& program, StudyArguments& arguments) {
                      "of all random numbers; default the experiment's own")
         ->check(seed_problem);
     add_threads(command, arguments.threads);
-    command->add_flag("--quick", arguments.quick, "the experiment's small version, about 15 s");
+    CLI::Option* quick =
+        command->add_flag("--quick", arguments.quick, "the experiment's small version, about 20 s");
+    command
+        ->add_flag("--full", arguments.full,
+                   "its large version: more worlds, trainings and assumptions, up to half an hour")
+        ->excludes(quick);
 }
 
 void add_simulate(CLI::App& program, SimulateArguments& arguments) {
@@ -218,6 +224,9 @@ int run_program(int argc, char** argv) {
     EvaluateArguments evaluation;
     evaluation.learning.threads = available_threads();
     add_evaluate(program, evaluation);
+    PredictArguments prediction;
+    prediction.threads = available_threads();
+    add_predict(program, prediction);
     FirmwareArguments firmware;
     add_firmware_commands(program, firmware);
     CalibrateArguments calibration;
@@ -261,6 +270,7 @@ int run_program(int argc, char** argv) {
                 export_recording_command(export_, catalogue);
             if (command == "train") train_command(training);
             if (command == "evaluate") evaluate_command(evaluation);
+            if (command == "predict") predict_command(prediction);
             if (is_dataset_command(program))
                 status = run_dataset_command(program, datasets, catalogue);
             else if (is_firmware_command(command) && export_.what.empty())

@@ -6,27 +6,6 @@
 
 namespace specula {
 
-namespace {
-
-void add_learning(CLI::App* command, Learning& learning) {
-    command
-        ->add_option("--bins", learning.bins,
-                     "FIRST:COUNT of range bins, windows or features; default 6:12 of beat samples")
-        ->type_name("BINS");
-    command->add_option("--hidden", learning.options.hidden, "units of the hidden layers")
-        ->delimiter(',')
-        ->capture_default_str();
-    command->add_option("--epochs", learning.options.epochs, "passes over the frames")
-        ->check(CLI::Range(1, 100000).description(""))
-        ->capture_default_str();
-    command->add_option("--seed", learning.seed, "of weights, order and shuffles")
-        ->check(seed_problem)
-        ->capture_default_str();
-    add_threads(command, learning.threads);
-}
-
-}  // namespace
-
 CLI::App* add_command(CLI::App& program, const char* name, const char* what, const char* example) {
     CLI::App* command = program.add_subcommand(name, what);
     command->footer(std::string("Example:\n  ") + example);
@@ -116,42 +95,6 @@ void add_export_recording(CLI::App& program, ExportRecordingArguments& arguments
                              "whose frequencies config.json names; default the dataset's")
                 ->type_name("NAME");
     }
-}
-
-void add_train(CLI::App& program, TrainArguments& arguments) {
-    CLI::App* command =
-        add_command(program, "train", "Train the classifier on a dataset",
-                    "specula train materials.h5 -o materials.json\n"
-                    "  All frames are learnt from; see specula evaluate for honest scores.");
-    command->add_option("DATASET", arguments.data, "dataset (.h5)")->required();
-    command->add_option("-o,--out", arguments.out, "model to write (.json)")
-        ->required()
-        ->type_name("FILE");
-    add_learning(command, arguments.learning);
-}
-
-void add_evaluate(CLI::App& program, EvaluateArguments& arguments) {
-    CLI::App* command = add_command(
-        program, "evaluate", "Judge a model on a dataset, or a dataset by cross-validation",
-        "specula evaluate materials.json others.h5\n"
-        "  specula evaluate materials.h5 --leave-out frame,view,object --leak-check");
-    command->add_option("WHAT", arguments.what, "MODEL DATASET, or DATASET with --leave-out")
-        ->required()
-        ->expected(1, 2);
-    command
-        ->add_option("--leave-out", arguments.leave_out,
-                     "what is never on both sides: frame, session, view or object; or several")
-        ->delimiter(',')
-        ->check(CLI::IsMember({"frame", "session", "view", "object"}).description(""));
-    command->add_option("--folds", arguments.folds, "models per cross-validation, 2 to 1000")
-        ->check(CLI::Range(2, 1000).description(""))
-        ->capture_default_str();
-    command->add_option("--repeats", arguments.repeats, "cross-validations, each of another seed")
-        ->check(CLI::Range(1, 1000).description(""))
-        ->capture_default_str();
-    command->add_flag("--leak-check", arguments.leak_check,
-                      "also with the classes of the objects shuffled");
-    add_learning(command, arguments.learning);
 }
 
 }  // namespace specula

@@ -24,10 +24,8 @@ CLI::App* export_group(CLI::App& program);
 void add_generate(CLI::App& program, GenerateArguments& arguments);
 void add_merge(CLI::App& program, MergeArguments& arguments);
 
-/// The commands about recordings and the classifiers of them.
+/// The commands about recordings.
 void add_import(CLI::App& program, ImportArguments& arguments);
 void add_export_recording(CLI::App& program, ExportRecordingArguments& arguments);
-void add_train(CLI::App& program, TrainArguments& arguments);
-void add_evaluate(CLI::App& program, EvaluateArguments& arguments);
 
 }  // namespace specula

@@ -21,6 +21,7 @@ struct StudyArguments {
     std::optional<std::uint64_t> seed;
     int threads = 1;
     bool quick = false;
+    bool full = false;
 };
 void study_command(const StudyArguments& arguments, const Catalogue& catalogue);
 
@@ -95,8 +96,12 @@ void export_recording_command(const ExportRecordingArguments& arguments,
 
 /// How models are trained.
 struct Learning {
-    TrainOptions options;
-    std::string bins;  ///< FIRST:COUNT; empty: what fits the data
+    TrainOptions options;    ///< but for what the words below say
+    std::string bins;        ///< FIRST:COUNT; empty: what fits the data
+    std::string descriptor;  ///< a whole line, see parse_descriptor; empty: by bins
+    bool logistic = false;   ///< no hidden layers
+    std::string schedule = "constant";
+    std::string precision = "float32";
     std::uint64_t seed = 1;
     int threads = 1;
 };
@@ -104,6 +109,7 @@ struct Learning {
 struct TrainArguments {
     std::filesystem::path data;
     std::filesystem::path out;
+    std::string holdout;  ///< "session": judge on sessions held out; empty: learn from all
     Learning learning;
 };
 void train_command(const TrainArguments& arguments);
@@ -114,9 +120,21 @@ struct EvaluateArguments {
     int folds = 10;
     int repeats = 3;
     bool leak_check = false;
+    std::filesystem::path json;       ///< to write; empty: none
+    std::filesystem::path figure;     ///< folder to draw in; empty: none
+    std::vector<std::string> merged;  ///< classes that count as one
+    std::string nominal;              ///< dataset of nominal sessions recorded anew; empty: none
     Learning learning;
 };
 void evaluate_command(const EvaluateArguments& arguments);
+
+struct PredictArguments {
+    std::filesystem::path model;
+    std::filesystem::path data;
+    std::filesystem::path out;  ///< .csv or .json; empty: standard output
+    int threads = 1;
+};
+void predict_command(const PredictArguments& arguments);
 
 struct ExportModelArguments {
     std::filesystem::path model;

@@ -1,186 +1,164 @@
-#include <cmath>
+#include <algorithm>
 #include <cstdio>
-#include <map>
 
-#include "classifier/cross_validation.hpp"
-#include "classifier/descriptor.hpp"
-#include "classifier/metrics.hpp"
+#include "classifier/assessment.hpp"
 #include "classifier/model_file.hpp"
-#include "classifier/predict.hpp"
+#include "sim/core/atomic_file.hpp"
+#include "sim/core/document.hpp"
 #include "sim/core/error.hpp"
 #include "sim/core/format.hpp"
-#include "tools/specula/bin_choice.hpp"
+#include "sim/dataset/fingerprint.hpp"
+#include "tools/report/confusion_figure.hpp"
+#include "tools/report/reliability_figure.hpp"
+#include "tools/report/render_figure.hpp"
+#include "tools/report/risk_coverage_figure.hpp"
 #include "tools/specula/commands.hpp"
-#include "tools/study/progress.hpp"
+#include "tools/specula/evaluation_json.hpp"
+#include "tools/specula/evaluation_text.hpp"
+#include "tools/specula/learning.hpp"
+#include "tools/specula/leave_out_report.hpp"
 
 namespace specula {
 
 namespace {
 
-const std::map<std::string, LeaveOut> splits{{"frame", LeaveOut::frame},
-                                             {"session", LeaveOut::session},
-                                             {"view", LeaveOut::view},
-                                             {"object", LeaveOut::sample}};
+/// Rows of a file and what the model says about them.
+struct Answered {
+    FeatureTable rows;
+    Predictions answers;
+    std::string fingerprint;
+};
 
-void print_confusion(const Confusion& confusion, const std::vector<std::string>& names) {
-    std::printf("\n%-20s", "true \\ said");
-    for (const std::string& name : names) std::printf(" %10.10s", name.c_str());
-    std::printf("  recognised\n");
-    const auto recall = recall_per_class(confusion);
-    for (std::size_t t = 0; t < names.size(); ++t) {
-        if (!recall[t]) continue;
-        std::printf("%-20.20s", names[t].c_str());
-        for (std::size_t p = 0; p < names.size(); ++p)
-            std::printf(" %10lld", static_cast<long long>(confusion.at(t, p)));
-        std::printf("  %7.1f %%\n", 100.0 * *recall[t]);
-    }
-}
-
-void evaluate_model(const EvaluateArguments& arguments) {
-    const Dataset dataset = read_dataset(arguments.what[1]);
-    const Model model = read_model(arguments.what[0]);
+Answered answer(const std::string& file, const Model& model, const std::string& model_file,
+                int threads) {
+    const Dataset dataset = read_dataset(file);
     if (model.class_names != dataset.class_names)
         throw InputError(
             format("{}: class_names: are not those of {}; use data of the same "
                    "classes in the same order",
-                   arguments.what[1], arguments.what[0]));
-    const FeatureTable rows = describe(dataset, descriptor_of(model), arguments.learning.threads);
-    const Predictions answers = predict(fold(model), rows);
-    const Confusion confusion = confusion_of(rows.label, answers.label, dataset.class_names.size());
-    std::printf("%zu frames: accuracy %.1f %%, macro-F1 %.1f %%\n", rows.size(),
-                100.0 * accuracy(rows.label, answers.label), 100.0 * macro_f1(confusion));
-    print_confusion(confusion, dataset.class_names);
-}
-
-/// Mean and standard deviation over repeats.
-struct Score {
-    double sum = 0.0, squares = 0.0, n = 0.0;
-
-    void add(double value) {
-        sum += value;
-        squares += value * value;
-        n += 1.0;
-    }
-    std::string text() const {
-        const double mean = sum / n;
-        const double sd = std::sqrt(std::max(0.0, squares / n - mean * mean));
-        return format("{:5.1f} +- {:.1f} %", 100.0 * mean, 100.0 * sd);
-    }
-};
-
-/// Share of groups of frames whose most frequent answer is right.
-double vote_accuracy(const FeatureTable& rows, std::span<const std::uint8_t> predicted) {
-    std::map<std::int32_t, std::map<std::uint8_t, int>> votes;
-    std::map<std::int32_t, std::uint8_t> truth;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        ++votes[rows.session[i]][predicted[i]];
-        truth[rows.session[i]] = rows.label[i];
-    }
-    double right = 0.0;
-    for (const auto& [session, counts] : votes) {
-        const auto most =
-            std::max_element(counts.begin(), counts.end(),
-                             [](const auto& a, const auto& b) { return a.second < b.second; });
-        right += most->first == truth[session] ? 1.0 : 0.0;
-    }
-    return right / static_cast<double>(votes.size());
-}
-
-struct SplitScores {
-    Score frames, sessions, shuffled;
-    Confusion confusion;
-};
-
-SplitScores cross_validate(const FeatureTable& rows, const Dataset& dataset, LeaveOut what,
-                           const EvaluateArguments& arguments, Progress& progress) {
-    const Learning& learning = arguments.learning;
-    const auto group = groups_of(dataset, what);
-    const auto pieces =
-        arguments.leak_check ? groups_of(dataset, LeaveOut::sample) : std::vector<std::int32_t>{};
-    CrossValidation how{.fold = deal_folds(rows, group, arguments.folds),
-                        .n_folds = arguments.folds,
-                        .options = learning.options,
-                        .seed = learning.seed,
-                        .threads = learning.threads};
-    SplitScores scores;
-    scores.confusion = Confusion(rows.class_names.size());
-    for (int repeat = 0; repeat < arguments.repeats; ++repeat) {
-        how.seed = learning.seed + static_cast<std::uint64_t>(repeat);
-        const auto predicted = cross_predict(rows, how, &progress.done());
-        scores.frames.add(accuracy(rows.label, predicted));
-        scores.sessions.add(vote_accuracy(rows, predicted));
-        const Confusion once = confusion_of(rows.label, predicted, rows.class_names.size());
-        for (std::size_t i = 0; i < once.counts.size(); ++i)
-            scores.confusion.counts[i] += once.counts[i];
-        if (!arguments.leak_check) continue;
-        const FeatureTable shuffled =
-            with_shuffled_classes(rows, pieces, {.seed = how.seed, .purpose = "leak check"});
-        CrossValidation again = how;
-        again.fold = deal_folds(shuffled, group, arguments.folds);
-        scores.shuffled.add(
-            accuracy(shuffled.label, cross_predict(shuffled, again, &progress.done())));
-    }
-    return scores;
-}
-
-void print_scores(const std::map<std::string, SplitScores>& all, const EvaluateArguments& arguments,
-                  const std::vector<std::string>& class_names) {
-    std::printf("%-10s %16s %16s %s\n", "left out", "frames right", "sessions right",
-                arguments.leak_check ? "    shuffled classes" : "");
-    for (const std::string& split : arguments.leave_out) {
-        const SplitScores& scores = all.at(split);
-        std::printf("%-10s %16s %16s %s\n", split.c_str(), scores.frames.text().c_str(),
-                    scores.sessions.text().c_str(),
-                    arguments.leak_check ? ("    " + scores.shuffled.text()).c_str() : "");
-    }
-    if (arguments.leak_check)
-        std::printf(
-            "\nshuffled classes: the classes of the objects exchanged by chance, so that "
-            "nothing but the object\ncan be learnt; %.0f %% is chance, and what is above it "
-            "a split gives away for knowing the object.\n",
-            100.0 / static_cast<double>(class_names.size()));
-    for (const std::string& split : arguments.leave_out) {
-        std::printf("\n%s left out, all repeats together:", split.c_str());
-        print_confusion(all.at(split).confusion, class_names);
+                   file, model_file));
+    try {
+        Answered answered{.rows = rows_for(model, dataset, threads),
+                          .answers = {},
+                          .fingerprint = fingerprint(dataset)};
+        answered.answers = predict(fold(model), answered.rows);
+        return answered;
+    } catch (const InputError& error) {
+        throw InputError(format("{}: {}", file, error.what()));
     }
 }
 
-void evaluate_left_out(const EvaluateArguments& arguments) {
-    const Dataset dataset = read_dataset(arguments.what[0]);
-    const Descriptor descriptor =
-        descriptor_for(dataset, parse_bin_choice(arguments.learning.bins));
-    const FeatureTable rows = describe(dataset, descriptor, arguments.learning.threads);
-    std::map<std::string, SplitScores> all;
-    {
-        const auto n_models = arguments.leave_out.size() *
-                              static_cast<std::size_t>(arguments.folds * arguments.repeats *
-                                                       (arguments.leak_check ? 2 : 1));
-        Progress progress("Training", "models", n_models);
-        for (const std::string& split : arguments.leave_out)
-            all[split] = cross_validate(rows, dataset, splits.at(split), arguments, progress);
+/// Class -> merged class: the named ones together, the others each alone.
+std::vector<int> merged_map(const std::vector<std::string>& merged,
+                            const std::vector<std::string>& class_names) {
+    if (merged.empty()) return {};
+    for (const std::string& name : merged)
+        if (std::ranges::find(class_names, name) == class_names.end())
+            throw InputError(format("--merge: \"{}\" is no class of the data; use {}", name,
+                                    quoted_list(class_names)));
+    std::vector<int> map;
+    int next = 1;
+    for (const std::string& name : class_names)
+        map.push_back(std::ranges::find(merged, name) != merged.end() ? 0 : next++);
+    return map;
+}
+
+std::string merged_text(const std::vector<std::string>& merged) {
+    std::string text;
+    for (const std::string& name : merged) text += (text.empty() ? "  " : "+") + name;
+    return merged.empty() ? "" : text + " as one";
+}
+
+void draw_figures(const std::filesystem::path& folder, const Assessment& assessment,
+                  const EvaluationFacts& facts) {
+    ConditionReport condition;
+    condition.name = "evaluation";
+    condition.title = std::filesystem::path(facts.data).filename().string();
+    condition.confusion = assessment.confusion;
+    condition.macro_f1 = assessment.macro_f1;
+    condition.macro_f1_per_world.resize(assessment.n_worlds);
+    write_figure(folder, confusion_figure("confusion", condition, facts.class_names));
+    write_figure(folder, reliability_figure("reliability", condition.title,
+                                            {.raw = assessment.reliability,
+                                             .scaled = assessment.reliability_scaled,
+                                             .temperature = facts.temperature}));
+    write_figure(folder,
+                 risk_coverage_figure("risk_coverage", condition.title, assessment.risk_coverage));
+    std::printf("\nWrote confusion, reliability and risk_coverage (.svg, .png, .csv) to %s\n",
+                folder.c_str());
+}
+
+std::optional<Departure> compared(const std::optional<Answered>& nominal, const Answered& asked,
+                                  const Model& model) {
+    if (!nominal) return std::nullopt;
+    const InputMonitor* const spread = model.monitor ? &*model.monitor : nullptr;
+    return departure_from(
+        {.rows = nominal->rows, .predictions = nominal->answers, .spread = spread},
+        {.rows = asked.rows, .predictions = asked.answers, .spread = spread});
+}
+
+void evaluate_model(const EvaluateArguments& arguments) {
+    const std::string& model_file = arguments.what[0];
+    const std::string& data = arguments.what[1];
+    const int threads = arguments.learning.threads;
+    const Model model = read_model(model_file);
+    const std::vector<int> merged = merged_map(arguments.merged, model.class_names);
+    const Answered asked = answer(data, model, model_file, threads);
+    std::optional<Answered> nominal;
+    if (!arguments.nominal.empty()) nominal = answer(arguments.nominal, model, model_file, threads);
+
+    EvaluationFacts facts{.model = model_file,
+                          .data = data,
+                          .fingerprint = asked.fingerprint,
+                          .nominal = arguments.nominal,
+                          .class_names = model.class_names,
+                          .merged = arguments.merged};
+    if (nominal)
+        facts.temperature =
+            fit_temperature({.values = nominal->answers.logits, .n_classes = model.n_classes()},
+                            nominal->rows.label);
+    const Assessment assessment =
+        assess(asked.rows, asked.answers,
+               {.merged_class = merged,
+                .temperature = facts.temperature,
+                .resampling = {.key = {.seed = arguments.learning.seed, .purpose = "bootstrap"}}});
+    const std::optional<Departure> departure = compared(nominal, asked, model);
+
+    print_assessment(assessment, {.class_names = model.class_names,
+                                  .merged_label = merged_text(arguments.merged)});
+    if (departure) print_departure(*departure);
+    if (!arguments.json.empty()) {
+        write_file_atomically(arguments.json, evaluation_json(facts, assessment, departure));
+        std::printf("\nWrote %s\n", arguments.json.c_str());
     }
-    std::printf("%zu frames, descriptor %s, %d folds, %d repeats (mean +- standard deviation)\n\n",
-                rows.size(), descriptor.text().c_str(), arguments.folds, arguments.repeats);
-    print_scores(all, arguments, dataset.class_names);
+    if (!arguments.figure.empty()) draw_figures(arguments.figure, assessment, facts);
+}
+
+void check_arguments(const EvaluateArguments& arguments) {
+    const bool cross = !arguments.leave_out.empty();
+    if (arguments.what.size() != (cross ? 1u : 2u))
+        throw InputError(cross ? "--leave-out trains its own models; name the dataset alone"
+                               : "name a model and a dataset, or a dataset with --leave-out");
+    if (cross && !(arguments.json.empty() && arguments.figure.empty() && arguments.merged.empty() &&
+                   arguments.nominal.empty()))
+        throw InputError(
+            "--json, --figure, --merge and --nominal go with a model, not with --leave-out");
 }
 
 }  // namespace
 
 void evaluate_command(const EvaluateArguments& arguments) {
-    const bool cross = !arguments.leave_out.empty();
-    if (arguments.what.size() != (cross ? 1u : 2u))
-        throw InputError(cross ? "--leave-out trains its own models; name the dataset alone"
-                               : "name a model and a dataset, or a dataset with --leave-out");
+    check_arguments(arguments);
+    if (arguments.leave_out.empty()) {
+        evaluate_model(arguments);
+        return;
+    }
     try {
-        if (cross)
-            evaluate_left_out(arguments);
-        else
-            evaluate_model(arguments);
+        evaluate_left_out(arguments);
     } catch (const InputError& error) {
-        const std::string& data = arguments.what.back();
         const std::string problem = error.what();
-        const bool named = problem.starts_with(data) || problem.starts_with(arguments.what[0]);
-        throw InputError(named ? problem : data + ": " + problem);
+        const std::string& data = arguments.what.back();
+        throw InputError(problem.starts_with(data) ? problem : data + ": " + problem);
     }
 }
 

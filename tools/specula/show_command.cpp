@@ -121,7 +121,7 @@ void show_scene(const Scene& scene, const Library& materials) {
 
 void show_experiment(const Experiment& experiment) {
     std::printf("%s\n%s\n\n", experiment.title.c_str(), experiment.question.c_str());
-    std::printf("%d worlds, %zu classes, radar %s\n\n", experiment.full.worlds,
+    std::printf("%d worlds, %zu classes, radar %s\n\n", experiment.usual.worlds,
                 experiment.population.classes.size(), experiment.radar.name.c_str());
     const auto line = [](const Condition& c) {
         std::printf("%-14s %-52s %3d sessions x %d frames per class\n", c.name.c_str(),

@@ -53,8 +53,11 @@ void study_command(const StudyArguments& arguments, const Catalogue& catalogue) 
     request.seed = arguments.seed;
     request.threads = arguments.threads;
     request.quick = arguments.quick;
+    request.full = arguments.full;
     request.command = "specula study " + shell_word(arguments.experiment) +
-                      (arguments.quick ? " --quick" : "") +
+                      (arguments.quick  ? " --quick"
+                       : arguments.full ? " --full"
+                                        : "") +
                       (arguments.seed ? format(" --seed {}", *arguments.seed) : "");
     const StudySummary study = run_study(request, catalogue);
 

@@ -1,41 +1,80 @@
-#include <charconv>
 #include <cstdio>
 
+#include "classifier/assessment.hpp"
 #include "classifier/cross_validation.hpp"
 #include "classifier/model_file.hpp"
 #include "classifier/predict.hpp"
+#include "classifier/session_split.hpp"
+#include "classifier/train.hpp"
 #include "sim/core/error.hpp"
 #include "sim/core/format.hpp"
 #include "sim/dataset/fingerprint.hpp"
-#include "tools/specula/bin_choice.hpp"
 #include "tools/specula/commands.hpp"
+#include "tools/specula/evaluation_text.hpp"
+#include "tools/specula/learning.hpp"
 #include "tools/study/progress.hpp"
 
 namespace specula {
 
+namespace {
+
+Model trained_with_progress(const FeatureTable& rows, const Learning& learning) {
+    const TrainOptions options = training_options(learning);
+    Progress progress("Training", "epochs", static_cast<std::size_t>(options.epochs));
+    return train(rows, options, {.seed = learning.seed, .purpose = "training"},
+                 {.epochs_done = &progress.done()});
+}
+
+void print_own_score(const FeatureTable& rows, const Model& model,
+                     const TrainArguments& arguments) {
+    const Predictions own = predict(fold(model), rows);
+    std::printf(
+        "of the frames it learnt from, %.1f %% are recognised; that says nothing about others:\n"
+        "see specula evaluate %s --leave-out session, or train with --holdout session\n",
+        100.0 * accuracy(rows.label, own.label), arguments.data.c_str());
+}
+
+void print_held_out(const SessionSplit& split, const Model& model) {
+    const Predictions answers = predict(fold(model), split.held_out);
+    const Assessment assessment =
+        assess(split.held_out, answers,
+               {.merged_class = {}, .resampling = {.key = {.seed = 1, .purpose = "bootstrap"}}});
+    std::printf("\nOn the sessions held out:\n");
+    print_assessment(assessment, {.class_names = model.class_names, .merged_label = ""});
+    std::printf("\n");
+}
+
+}  // namespace
+
 void train_command(const TrainArguments& arguments) {
     const Dataset dataset = read_dataset(arguments.data);
     try {
-        const Descriptor descriptor =
-            descriptor_for(dataset, parse_bin_choice(arguments.learning.bins));
-        const FeatureTable rows = describe(dataset, descriptor, arguments.learning.threads);
-        Model model;
-        {
-            Progress progress("Training", "models", 1);
-            model = train(rows, arguments.learning.options,
-                          {.seed = arguments.learning.seed, .purpose = "training"});
-            ++progress.done();
+        const Learning& learning = arguments.learning;
+        const Descriptor descriptor = chosen_descriptor(learning, dataset);
+        SessionSplit split{.training = describe(dataset, descriptor, learning.threads),
+                           .held_out = {}};
+        const bool holds_out = !arguments.holdout.empty();
+        if (holds_out) {
+            check_options(training_options(learning), descriptor.n_features());
+            if (learning.options.held_out == 0.0)
+                throw InputError("--held-out = 0: holds nothing out; use about 0.2");
+            split = hold_out_sessions(split.training, learning.options.held_out,
+                                      {.seed = learning.seed, .purpose = "judged sessions"});
         }
+        Model model = trained_with_progress(split.training, learning);
+        if (holds_out)
+            model.provenance.emplace_back("rows held out to judge",
+                                          format("{}", split.held_out.size()));
         model.provenance.emplace_back("descriptor", descriptor.text());
         model.provenance.emplace_back("dataset", fingerprint(dataset));
         write_model(model, arguments.out);
-        const Predictions own = predict(fold(model), rows);
-        std::printf(
-            "%zu frames, descriptor %s\nof the frames it learnt from, %.1f %% are "
-            "recognised; that says nothing about others:\n"
-            "see specula evaluate %s --leave-out session\nWrote %s\n",
-            rows.size(), descriptor.text().c_str(), 100.0 * accuracy(rows.label, own.label),
-            arguments.data.c_str(), arguments.out.c_str());
+        std::printf("%zu frames of %zu classes, descriptor %s\n", split.training.size(),
+                    dataset.class_names.size(), descriptor.text().c_str());
+        if (holds_out)
+            print_held_out(split, model);
+        else
+            print_own_score(split.training, model, arguments);
+        std::printf("Wrote %s\n", arguments.out.c_str());
     } catch (const InputError& error) {
         throw InputError(format("{}: {}", arguments.data.string(), error.what()));
     }

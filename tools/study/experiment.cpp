@@ -10,11 +10,6 @@ namespace specula {
 
 namespace {
 
-Extent read_extent(Section& section) {
-    return {.worlds = section.count("worlds", Range::between(1, 1000)),
-            .epochs = section.count("epochs", Range::between(1, 10000))};
-}
-
 fw_integration integration_of(const std::string& name) {
     return name == "mean"     ? FW_INTEGRATE_MEAN
            : name == "single" ? FW_INTEGRATE_SINGLE
@@ -159,7 +154,7 @@ Experiment read_experiment(const std::filesystem::path& file, const Catalogue& c
     experiment.nominal_height_m =
         root.quantity("nominal_height", Unit::length, Range::inside(0.0, 100.0));
     experiment.solver = read_solver(root);
-    experiment.full = read_extent(root);
+    experiment.usual = read_extent(root, {});
     experiment.merged_classes = {};
     experiment.population = read_population(root, catalogue);
     experiment.merged_classes = read_merged(root, experiment.population.class_names());
@@ -179,8 +174,14 @@ Experiment read_experiment(const std::filesystem::path& file, const Catalogue& c
     experiment.descriptor = read_descriptor(root.section("descriptor"), experiment.radar);
     experiment.classifier = read_classifier(root.section("classifier"));
     Section quick = root.section("quick");
-    experiment.quick = read_extent(quick);
+    experiment.quick = read_extent(quick, {});
     quick.finish();
+    experiment.full = experiment.usual;
+    if (auto full = root.find_section("full")) {
+        experiment.full = read_extent(*full, experiment.usual);
+        full->finish();
+    }
+    experiment.protocol = read_protocol(root, experiment);
     if (auto paper = root.find_section("paper")) read_paper(*paper, experiment);
     root.finish();
     return experiment;

@@ -10,14 +10,9 @@
 #include "sim/condition.hpp"
 #include "sim/population.hpp"
 #include "sim/session.hpp"
+#include "tools/study/protocol.hpp"
 
 namespace specula {
-
-/// How much of an experiment to run.
-struct Extent {
-    int worlds = 1;
-    int epochs = 1;
-};
 
 /// A study as its file states it: what is recorded, what is learnt, what is asked.
 struct Experiment {
@@ -40,8 +35,10 @@ struct Experiment {
     fw_extract_config descriptor{};
     TrainOptions classifier;
     std::vector<std::size_t> merged_classes;
-    Extent full;
+    Protocol protocol;
+    Extent usual;
     Extent quick;
+    Extent full;
 
     std::string paper_reference;
     std::map<std::string, double> paper_macro_f1;  ///< condition name -> published value

@@ -1,16 +1,12 @@
 #include "tools/study/results_json.hpp"
 
-#include <nlohmann/json.hpp>
+#include "tools/study/json_parts.hpp"
 
 namespace specula {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json interval_json(const Interval& interval) {
-    return {{"mean", interval.mean}, {"low_95", interval.low}, {"high_95", interval.high}};
-}
 
 Json confusion_json(const Confusion& confusion) {
     Json rows = Json::array();
@@ -48,11 +44,12 @@ Json condition_json(const StudyCondition& condition) {
 
 std::string results_json(const StudySummary& summary) {
     Json json{{"format", "specula-results"},
-              {"format_version", 1},
+              {"format_version", 2},
               {"software_version", summary.version},
               {"experiment", summary.experiment},
               {"command", summary.command},
               {"seed", summary.seed},
+              {"trainings_per_world", summary.repeats},
               {"class_names", summary.class_names},
               {"merged_classes", summary.merged_classes},
               {"radar",
@@ -67,6 +64,9 @@ std::string results_json(const StudySummary& summary) {
     for (const auto& [what, hash] : summary.fingerprints) json["fingerprints"][what] = hash;
     for (const StudyCondition& condition : summary.conditions)
         json["conditions"].push_back(condition_json(condition));
+    for (const StudyCondition& part : summary.parts)
+        json["parts_of_conditions"].push_back(condition_json(part));
+    add_results(summary.results, json);
     // A path in the command may be no UTF-8; that shall not cost the results of a night.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -34,8 +34,8 @@ TEST_CASE("an experiment is read whole, section by section", "[study]") {
     CHECK(toy.seed == 7);
     CHECK(toy.radar.name == "iwrl6432boost");
     CHECK(toy.nominal_height_m == Approx(0.45));
-    CHECK(toy.full.worlds == 2);
-    CHECK(toy.full.epochs == 4);
+    CHECK(toy.usual.worlds == 2);
+    CHECK(toy.usual.epochs == 4);
     CHECK(toy.quick.worlds == 1);
     CHECK(toy.quick.epochs == 1);
     CHECK(toy.population.class_names() == std::vector<std::string>{"metal", "sheet"});

@@ -36,7 +36,7 @@ StudySummary summary_of_one() {
 TEST_CASE("results hold what the summary holds, under keys with units", "[study]") {
     const Json json = Json::parse(results_json(summary_of_one()));
     CHECK(json["format"] == "specula-results");
-    CHECK(json["format_version"] == 1);
+    CHECK(json["format_version"] == 2);
     CHECK(json["seed"] == 18446744073709551615ull);
     CHECK(json["fingerprints"]["height.h5"] == "0123456789abcdef");
     const Json& condition = json["conditions"][0];

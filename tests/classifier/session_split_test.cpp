@@ -1,0 +1,91 @@
+#include "classifier/session_split.hpp"
+
+#include <map>
+#include <set>
+
+#include "sim/core/error.hpp"
+#include "tests/check.hpp"
+#include "tests/message_of.hpp"
+
+namespace specula {
+namespace {
+
+constexpr StreamKey key{.seed = 2, .purpose = "split test"};
+
+/// `n_sessions` of each of three classes in two worlds, four rows each.
+FeatureTable recorded(int n_sessions) {
+    FeatureTable rows;
+    rows.n_features = 1;
+    rows.class_names = {"a", "b", "c"};
+    for (int world = 0; world < 2; ++world)
+        for (int session = 0; session < 3 * n_sessions; ++session)
+            for (int frame = 0; frame < 4; ++frame) {
+                rows.features.push_back(static_cast<float>(session));
+                rows.label.push_back(static_cast<std::uint8_t>(session % 3));
+                rows.world.push_back(world);
+                rows.session.push_back(session);
+            }
+    return rows;
+}
+
+std::set<std::pair<int, int>> sessions(const FeatureTable& rows) {
+    std::set<std::pair<int, int>> found;
+    for (std::size_t i = 0; i < rows.size(); ++i) found.insert({rows.world[i], rows.session[i]});
+    return found;
+}
+
+TEST_CASE("no session is on both sides, none is lost, and every class is on both", "[split]") {
+    const FeatureTable rows = recorded(5);
+    const SessionSplit split = hold_out_sessions(rows, 0.2, key);
+    const auto training = sessions(split.training), held_out = sessions(split.held_out);
+    CHECK(training.size() + held_out.size() == 30);
+    for (const auto& session : held_out) CHECK_FALSE(training.contains(session));
+    CHECK(held_out.size() == 6);  // two of ten, of each of three classes
+    std::map<int, int> of_class;
+    for (const std::uint8_t label : split.held_out.label) ++of_class[label];
+    CHECK(of_class == std::map<int, int>{{0, 8}, {1, 8}, {2, 8}});
+    CHECK(split.training.size() + split.held_out.size() == rows.size());
+}
+
+TEST_CASE("the share is rounded, but each side keeps a session of each class", "[split]") {
+    CHECK(sessions(hold_out_sessions(recorded(1), 0.01, key).held_out).size() == 3);
+    CHECK(sessions(hold_out_sessions(recorded(1), 0.99, key).training).size() == 3);
+}
+
+TEST_CASE("another key holds out other sessions, the same key the same", "[split]") {
+    const FeatureTable rows = recorded(20);
+    const auto first = sessions(hold_out_sessions(rows, 0.3, key).held_out);
+    CHECK(sessions(hold_out_sessions(rows, 0.3, key).held_out) == first);
+    CHECK(sessions(hold_out_sessions(rows, 0.3, {.seed = 3, .purpose = "split test"}).held_out) !=
+          first);
+}
+
+TEST_CASE("a class with a single session, and sessions of mixed classes, are refused", "[split]") {
+    FeatureTable rows = recorded(1);
+    rows = select_rows_where(
+        rows, [&](std::size_t i) { return rows.label[i] != 1 || rows.world[i] == 0; });
+    CHECK(message_of([&] { return hold_out_sessions(rows, 0.2, key).training.size(); }) ==
+          "sessions: class \"b\" has 1 of them, too few to hold one out; record more, or train "
+          "without holding out");
+
+    // Class b only occurs in session 1, behind a first row of class a.
+    FeatureTable mixed;
+    mixed.n_features = 1;
+    mixed.class_names = {"a", "b"};
+    mixed.label = {0, 0, 0, 1};
+    mixed.features = {1, 2, 3, 4};
+    mixed.world = {0, 0, 0, 0};
+    mixed.session = {0, 0, 1, 1};
+    int n_refused = 0;
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        const std::string message = message_of([&] {
+            const StreamKey other{.seed = seed, .purpose = "split test"};
+            return hold_out_sessions(mixed, 0.5, other).training.size();
+        });
+        n_refused += message.rfind("sessions: all rows of class \"b\" would be held out", 0) == 0;
+    }
+    CHECK((n_refused > 2 && n_refused < 18));  // one of two sessions, by chance
+}
+
+}  // namespace
+}  // namespace specula

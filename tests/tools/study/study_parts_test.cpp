@@ -1,0 +1,127 @@
+#include <nlohmann/json.hpp>
+
+#include "sim/core/error.hpp"
+#include "tests/check.hpp"
+#include "tests/tools/study/toy_protocol.hpp"
+#include "tools/study/experiment.hpp"
+#include "tools/study/study.hpp"
+
+namespace specula {
+namespace {
+
+using Json = nlohmann::json;
+
+/// The toy study with all its parts, kept.
+class WholeToy : public MadeUpFolder {
+  public:
+    explicit WholeToy(int threads) {
+        static const Catalogue catalogue = Catalogue::open(SPECULA_SOURCE_DIR);
+        StudyRequest request;
+        request.experiment_file = with("toy.toml", toy_protocol());
+        request.out = path() / "out";
+        request.threads = threads;
+        request.command = "specula study toy";
+        summary = run_study(request, catalogue);
+    }
+    std::string out(const std::string& name) const { return content_of(path() / "out" / name); }
+
+    StudySummary summary;
+};
+
+const HonestyCheck& check_named(const StudySummary& study, const std::string& name) {
+    for (const HonestyCheck& check : study.results.checks)
+        if (check.name == name) return check;
+    throw std::runtime_error("no check " + name);
+}
+
+// One case: under ctest every case is a process, and would run the study anew.
+TEST_CASE("a study with all its parts says the same on one thread and on two", "[study]") {
+    const WholeToy one(1), two(2);
+    const bool same_results = one.out("results.json") == two.out("results.json");
+    const bool same_report = one.out("report.html") == two.out("report.html");
+    CHECK(same_results);
+    CHECK(same_report);
+
+    const StudyResults& results = one.summary.results;
+    const Json json = Json::parse(one.out("results.json"));
+
+    SECTION("conditions of two heights also come apart, and add up") {
+        REQUIRE(json["parts_of_conditions"].size() == 2);
+        std::int64_t frames = 0;
+        for (const Json& part : json["parts_of_conditions"]) frames += part["frames"].get<int>();
+        CHECK(json["conditions"][2]["frames"] == frames);
+        CHECK(json["parts_of_conditions"][0]["heights_m"] == Json({0.35}));
+    }
+    SECTION("every part that was asked for is there") {
+        for (const auto* part :
+             {"calibration", "waterfall", "sensitivity", "prior_draws", "honesty_checks", "ladder",
+              "severity_grid", "detectors", "fallback", "confidence", "drift"}) {
+            INFO(part);
+            CHECK(json.contains(part));
+        }
+        for (const auto* figure : {"waterfall", "sensitivity", "ladder", "ladder_gains", "severity",
+                                   "severity_curves", "severity_receiver", "honesty", "detectors",
+                                   "reliability", "risk_coverage", "input_drift"}) {
+            INFO(figure);
+            CHECK(std::filesystem::exists(one.path() / "out/figures" /
+                                          (std::string(figure) + ".svg")));
+        }
+    }
+    SECTION("the first rung is the study's own classifier, and gains nothing over itself") {
+        REQUIRE(results.ladder.size() == 2);
+        for (std::size_t domain = 0; domain < results.ladder[0].domains.size(); ++domain) {
+            CHECK(results.ladder[0].gain[domain].mean == 0.0);
+            CHECK(results.ladder[0].domains[domain].all.mean ==
+                  Approx(one.summary.conditions[domain].result.macro_f1.mean));
+        }
+        CHECK(results.ladder[0].cost.n_features == 12);
+        // 12 inputs, 6 units, 2 classes, and nothing before them.
+        CHECK(results.ladder[0].cost.multiplications == 12 * 6 + 6 * 2);
+        CHECK(results.ladder[1].cost.multiplications > results.ladder[0].cost.multiplications);
+    }
+    SECTION("the grid holds every height with every tilt, and the receiver's cells") {
+        CHECK(results.severity.height_offsets_m == std::vector<double>{0.0, 0.05});
+        REQUIRE(results.severity.cells.size() == 2 * 2 + 1);
+        CHECK(results.severity.cells.back().receiver == "gain +3 dB");
+        CHECK(results.severity.relative_error.front() == Approx(1.0));
+    }
+    SECTION("checks of what must be so by construction hold") {
+        CHECK(check_named(one.summary, "no_nuisance").passed);
+        CHECK(check_named(one.summary, "same_nuisance").passed);
+        CHECK_FALSE(check_named(one.summary, "leak_meter").band.has_value());
+        // Both classes of the toy merge into one: nothing can be confused.
+        CHECK(check_named(one.summary, "merged_at_least").passed);
+    }
+    SECTION("assumptions begin with the study's own") {
+        REQUIRE(results.sensitivity.size() >= 2);
+        CHECK(results.sensitivity[0].name == "reference");
+        CHECK(results.sensitivity[1].name == "hann");
+        CHECK(results.sensitivity[0].domains.size() == 2);  // nominal and height
+        CHECK(results.sensitivity[0].fingerprint != results.sensitivity[1].fingerprint);
+    }
+}
+
+TEST_CASE("a rung that names no training set or descriptor is refused", "[study]") {
+    static const Catalogue catalogue = Catalogue::open(SPECULA_SOURCE_DIR);
+    const MadeUpFolder folder;
+    const auto refusal = [&](const std::string& from, const std::string& to) {
+        try {
+            read_experiment(folder.with("toy.toml", edited(toy_protocol(), from, to)), catalogue);
+        } catch (const InputError& error) {
+            return std::string(error.what());
+        }
+        return std::string("(no error)");
+    };
+    CHECK(
+        refusal("training = \"heights\"", "training = \"depths\"").find("training = \"depths\"") !=
+        std::string::npos);
+    CHECK(refusal("range_bins 6 12 blackman align", "range_bin 6 12 blackman align")
+              .find("descriptor") != std::string::npos);
+    CHECK(refusal("admissible_snr_db = [0, 6]", "admissible_snr_db = [1, 6]")
+              .find("does not hold 0") != std::string::npos);
+    CHECK(refusal("variant_conditions = [\"height\"]", "variant_conditions = [\"heigth\"]")
+              .find("is no condition of this experiment") != std::string::npos);
+}
+
+}  // namespace
+}  // namespace specula

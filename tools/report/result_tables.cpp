@@ -1,0 +1,181 @@
+#include "tools/report/result_tables.hpp"
+
+#include "sim/core/format.hpp"
+#include "tools/report/number_text.hpp"
+#include "tools/report/result_figures.hpp"
+
+namespace specula {
+namespace {
+
+std::string kibibytes(std::size_t bytes) {
+    return fixed_text(static_cast<double>(bytes) / 1024.0, 1);
+}
+
+std::string verdict(const HonestyCheck& check) {
+    return !check.band ? "reported" : check.passed ? "passed" : "FAILED";
+}
+
+std::string band_text(const HonestyCheck& check) {
+    return check.band ? format("{} to {}", percent_number((*check.band)[0]),
+                               percent_number((*check.band)[1]))
+                      : "\u2013";
+}
+
+ReportTable fallback_table(const StudySummary& study) {
+    ReportTable table{
+        .caption =
+            "A monitor with fallback: frames whose 12 inputs lie beyond the training's 99th "
+            "percentile of Mahalanobis distance get no answer.",
+        .columns = {{"", "Condition", false},
+                    {"", "Answered frames (%)"},
+                    {"", "Right among them (%)"},
+                    {"", "Right among all (%)"}},
+        .rows = {},
+        .note = {}};
+    for (const FallbackScore& score : study.results.fallback)
+        table.rows.push_back(
+            {short_title(score.domain), percent_number(score.answered.mean),
+             score.answered.mean > 0.0 ? percent_number(score.accuracy.mean) : "\u2013",
+             percent_number(score.accuracy_all.mean)});
+    return table;
+}
+
+}  // namespace
+
+std::vector<ReportTable> part_tables(const StudySummary& study) {
+    if (study.parts.empty()) return {};
+    ReportTable table{.caption = "Conditions of several heights or tilts, one by one.",
+                      .columns = {{"", "Condition", false},
+                                  {"", "Macro-F1 (%)"},
+                                  {"", "95\u00a0%\u00a0interval"},
+                                  {"", "Merged (%)"},
+                                  {"", "Frames"}},
+                      .rows = {},
+                      .note = {}};
+    for (const StudyCondition& part : study.parts)
+        table.rows.push_back({part.result.title, percent_number(part.result.macro_f1.mean),
+                              range_number(part.result.macro_f1),
+                              percent_number(part.result.macro_f1_merged.mean),
+                              count_text(part.result.n_frames)});
+    return {table};
+}
+
+std::vector<ReportTable> attribution_tables(const StudySummary& study) {
+    if (study.results.percentiles.empty()) return {};
+    ReportTable table{
+        .caption = "The paper\u2019s tilt figure within what is predicted.",
+        .columns = {{"", "Prediction", false},
+                    {"", "Over", false},
+                    {"", "n"},
+                    {"", "Median (%)"},
+                    {"", "5th to 95th percentile"},
+                    {"", "Paper (%)"},
+                    {"", "Its percentile"}},
+        .rows = {},
+        .note = "Agreement within so wide an interval is a check of consistency, no proof."};
+    for (const PaperPercentile& entry : study.results.percentiles)
+        table.rows.push_back({short_title(entry.domain), entry.over, format("{}", entry.n),
+                              percent_number(entry.prediction.mean), range_number(entry.prediction),
+                              percent_number(entry.paper),
+                              fixed_text(100.0 * entry.percentile, 0)});
+    return {table};
+}
+
+std::vector<ReportTable> remedy_tables(const StudySummary& study) {
+    const auto& ladder = study.results.ladder;
+    if (ladder.empty()) return {};
+    ReportTable table{
+        .caption =
+            "What the remedies cost and give. Times are estimates for the chip, of what "
+            "comes after the range profile: multiplications times the cycles that the "
+            "traced network of the paper takes per multiplication.",
+        .columns = {{"", "Remedy", false},
+                    {"Costs", "inputs"},
+                    {"Costs", "multi\u00adplications"},
+                    {"Costs", "KiB"},
+                    {"Costs", "\u00b5s, estimated"},
+                    {"Worst condition (%)", "all"},
+                    {"Worst condition (%)", "merged"}},
+        .rows = {},
+        .note =
+            "Same worlds, frames, rows and steps for all; no selection, the network of the "
+            "last epoch counts. The time of several looks is that of one, at an eighth of the "
+            "rate of answers."};
+    for (const LadderRung& rung : ladder) {
+        double worst = 1.0, worst_merged = 1.0;
+        for (const DomainScore& score : rung.domains) {
+            worst = std::min(worst, score.all.mean);
+            worst_merged = std::min(worst_merged, score.merged.mean);
+        }
+        table.rows.push_back({rung.title + (rung.recommended ? " (recommended)" : ""),
+                              format("{}", rung.cost.n_features),
+                              count_text(static_cast<std::int64_t>(rung.cost.multiplications)),
+                              kibibytes(rung.cost.model_bytes),
+                              format("{:.0f} to {:.0f}", rung.cost.low_us, rung.cost.high_us),
+                              percent_number(worst), percent_number(worst_merged)});
+    }
+    return {table};
+}
+
+std::vector<ReportTable> severity_tables(const StudySummary& study) {
+    const SeverityGrid& grid = study.results.severity;
+    if (grid.cells.empty()) return {};
+    ReportTable table{.caption =
+                          "The grid in one number: mean over all its shifted cells, and the "
+                          "error relative to the paper\u2019s classifier.",
+                      .columns = {{"", "Classifier", false},
+                                  {"", "Mean macro-F1 (%)"},
+                                  {"", "Merged (%)"},
+                                  {"", "Relative error (%)"}},
+                      .rows = {},
+                      .note = {}};
+    for (std::size_t i = 0; i < grid.classifiers.size(); ++i)
+        table.rows.push_back({grid.classifiers[i], percent_number(grid.mean_all[i]),
+                              percent_number(grid.mean_merged[i]),
+                              percent_number(grid.relative_error[i])});
+    return {table};
+}
+
+std::vector<ReportTable> check_tables(const StudySummary& study) {
+    if (study.results.checks.empty()) return {};
+    ReportTable table{.caption = "Honesty checks. A check passes if its interval reaches its band.",
+                      .columns = {{"", "Check", false},
+                                  {"", "Value (%)"},
+                                  {"", "95\u00a0%\u00a0interval"},
+                                  {"", "Band (%)"},
+                                  {"", "Verdict", false},
+                                  {"", "Why", false}},
+                      .rows = {},
+                      .note = {}};
+    for (const HonestyCheck& check : study.results.checks)
+        table.rows.push_back({check.title, percent_number(check.value.mean),
+                              range_number(check.value), band_text(check), verdict(check),
+                              check.reason});
+    return {table};
+}
+
+std::vector<ReportTable> confidence_tables(const StudySummary& study) {
+    if (study.results.confidence.empty()) return {};
+    ReportTable table{
+        .caption = "How far confidence can be believed, all worlds together.",
+        .columns = {{"", "Condition", false},
+                    {"Calibration error (%)", "raw"},
+                    {"Calibration error (%)", "scaled"},
+                    {"", "NLL (nats)"},
+                    {"", "Brier"},
+                    {"", "AURC (%)"},
+                    {"", "Coverage at 5\u00a0% risk (%)"}},
+        .rows = {},
+        .note = format("Scaled: with temperature {}, fitted on held-back nominal frames.",
+                       fixed_text(study.results.temperature, 2))};
+    for (const ConfidenceQuality& quality : study.results.confidence)
+        table.rows.push_back({short_title(quality.domain), percent_number(quality.ece),
+                              percent_number(quality.ece_scaled), fixed_text(quality.nll, 2),
+                              fixed_text(quality.brier, 2), percent_number(quality.aurc),
+                              percent_number(quality.coverage_at_5_percent)});
+    std::vector<ReportTable> tables{table};
+    if (!study.results.fallback.empty()) tables.push_back(fallback_table(study));
+    return tables;
+}
+
+}  // namespace specula

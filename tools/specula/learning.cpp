@@ -1,0 +1,54 @@
+#include "tools/specula/learning.hpp"
+
+#include <algorithm>
+
+#include "classifier/looks.hpp"
+#include "classifier/training_rows.hpp"
+#include "sim/core/document.hpp"
+#include "sim/core/error.hpp"
+#include "sim/core/format.hpp"
+#include "tools/specula/bin_choice.hpp"
+
+namespace specula {
+
+TrainOptions training_options(const Learning& learning) {
+    TrainOptions options = learning.options;
+    if (learning.logistic) options.hidden.clear();
+    const auto& names = schedule_names();
+    const auto place = std::ranges::find(names, learning.schedule) - names.begin();
+    options.schedule = static_cast<Schedule>(place);
+    options.precision = learning.precision == "float64" ? Precision::float64 : Precision::float32;
+    return options;
+}
+
+Descriptor chosen_descriptor(const Learning& learning, const Dataset& dataset) {
+    return learning.descriptor.empty() ? descriptor_for(dataset, parse_bin_choice(learning.bins))
+                                       : parse_descriptor(learning.descriptor);
+}
+
+std::vector<std::size_t> first_frames(const Dataset& dataset, const Descriptor& descriptor) {
+    FeatureTable frames;
+    for (const Truth& truth : dataset.truth) {
+        frames.label.push_back(truth.label);
+        frames.world.push_back(truth.world);
+        frames.session.push_back(truth.session);
+    }
+    if (descriptor.looks > 1)
+        return first_rows(frames, {.count = static_cast<std::size_t>(descriptor.looks)});
+    std::vector<std::size_t> all(frames.size());
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
+    return all;
+}
+
+FeatureTable rows_for(const Model& model, const Dataset& dataset, int threads) {
+    const FeatureTable rows = describe(dataset, descriptor_of(model), threads);
+    if (rows.n_features != model.n_features())
+        throw InputError(
+            format("descriptor: gives {} features and the model takes {}; use frames like those "
+                   "it was trained on",
+                   rows.n_features, model.n_features()));
+    check_finite(rows);
+    return rows;
+}
+
+}  // namespace specula

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "classifier/descriptor.hpp"
+#include "tools/specula/commands.hpp"
+
+namespace specula {
+
+/// The options of a training, with the choices that the command line holds as words.
+TrainOptions training_options(const Learning& learning);
+
+/// What frames are described by: --descriptor, or what fits them with --bins.
+Descriptor chosen_descriptor(const Learning& learning, const Dataset& dataset);
+
+/// (row): the first of the frames that make it.
+std::vector<std::size_t> first_frames(const Dataset& dataset, const Descriptor& descriptor);
+
+/// Rows as a model wants them. Throws InputError where its features are others, or not finite.
+FeatureTable rows_for(const Model& model, const Dataset& dataset, int threads);
+
+}  // namespace specula

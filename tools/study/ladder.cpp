@@ -1,0 +1,150 @@
+#include "tools/study/ladder.hpp"
+
+#include <algorithm>
+
+#include "classifier/descriptor.hpp"
+#include "classifier/metrics.hpp"
+#include "sim/core/expect.hpp"
+#include "sim/generate.hpp"
+#include "sim/parallel.hpp"
+#include "tools/report/study_summary.hpp"
+
+namespace specula {
+
+namespace {
+
+/// Worst conditions that differ by less are taken for equal.
+constexpr double equal_within = 0.005;
+
+/// As many rows as asked for, spread evenly; all where there are fewer.
+FeatureTable thinned(const FeatureTable& rows, std::size_t n_wanted) {
+    if (rows.size() <= n_wanted) return rows;
+    std::vector<std::size_t> indices;
+    for (std::size_t i = 0; i < n_wanted; ++i) indices.push_back(i * rows.size() / n_wanted);
+    return select_rows(rows, indices);
+}
+
+Experiment with_laws_of(const TrainingSet& set, const Experiment& experiment) {
+    Experiment other = experiment;
+    if (set.height_m) other.population.session.height_m = *set.height_m;
+    if (set.tilt_rad) other.population.session.tilt_rad = *set.tilt_rad;
+    return other;
+}
+
+std::vector<double> difference(const std::vector<double>& a, const std::vector<double>& b) {
+    std::vector<double> differences;
+    for (std::size_t i = 0; i < a.size(); ++i) differences.push_back(a[i] - b[i]);
+    return differences;
+}
+
+double worst_merged(const LadderRung& rung) {
+    double worst = 1.0;
+    for (const DomainScore& score : rung.domains) worst = std::min(worst, score.merged.mean);
+    return worst;
+}
+
+void recommend(std::vector<LadderRung>& rungs) {
+    LadderRung* best = nullptr;
+    for (LadderRung& rung : rungs) {
+        // What needs the true gain, which nobody has, is no remedy.
+        if (rung.descriptor.ends_with("over the true gain")) continue;
+        const double gain = best ? worst_merged(rung) - worst_merged(*best) : 1.0;
+        const bool cheaper = best && rung.cost.multiplications < best->cost.multiplications;
+        if (gain > equal_within || (gain > -equal_within && cheaper)) best = &rung;
+    }
+    if (best) best->recommended = true;
+}
+
+}  // namespace
+
+Ladder::Ladder(const StudyContext& context, const LadderInput& input)
+    : context_(context), input_(input) {
+    const Experiment& experiment = context.experiment;
+    std::size_t n_sessions = 0;
+    for (const TrainingSet& set : experiment.protocol.training_sets)
+        n_sessions += session_count(set.condition, experiment.population, context.run.worlds);
+    Progress progress("Recording for remedies", "sessions", n_sessions);
+    for (const TrainingSet& set : experiment.protocol.training_sets) {
+        const Experiment own = with_laws_of(set, experiment);
+        sets_[set.condition.name] =
+            observe(context.frozen, {own, context.materials}, context.run, set.condition, progress);
+    }
+}
+
+RungRows Ladder::rows_of(const RungPlan& rung) const {
+    const int worlds = context_.run.worlds;
+    const RandomSplits splits =
+        random_splits(input_.training.described.at(rung.kind()), context_, worlds);
+    RungRows rows{.training = splits.training,
+                  .domains = {std::string(nominal_condition)},
+                  .judged = {splits.validation}};
+    const auto set = sets_.find(rung.training);
+    if (set != sets_.end()) {
+        const WorldRows own = rows_by_world(set->second.described.at(rung.kind()), worlds);
+        for (std::size_t world = 0; world < own.size(); ++world)
+            rows.training[world] = thinned(own[world], splits.training[world].size());
+    }
+    for (const Recording* recording : input_.conditions) {
+        rows.domains.push_back(recording->condition.name);
+        rows.judged.push_back(rows_by_world(recording->described.at(rung.kind()), worlds));
+    }
+    return rows;
+}
+
+TrialTraining Ladder::training_of(const RungPlan& rung, int repeat) const {
+    TrialTraining how = context_.training();
+    const int looks = parse_descriptor(rung.descriptor).looks;
+    how.options = rung.options;
+    how.options.epochs = context_.extent.epochs * looks;  // fewer rows, as many steps
+    how.repeat = repeat;
+    return how;
+}
+
+std::vector<Model> Ladder::models_of(const RungPlan& rung) const {
+    return train_each(rows_of(rung).training, training_of(rung, 0));
+}
+
+std::vector<LadderRung> Ladder::run() const {
+    const auto& plans = context_.experiment.protocol.rungs;
+    const auto n_worlds = static_cast<std::size_t>(context_.run.worlds);
+    const auto repeats = static_cast<std::size_t>(context_.extent.seeds);
+    Progress progress("Training remedies", "classifiers", plans.size() * n_worlds * repeats);
+    std::vector<LadderRung> rungs;
+    for (const RungPlan& plan : plans) {
+        const RungRows rows = rows_of(plan);
+        std::vector<std::vector<WorldScores>> scores(rows.domains.size());  // (domain, repeat)
+        for (std::size_t repeat = 0; repeat < repeats; ++repeat) {
+            const auto models = train_each(
+                rows.training, training_of(plan, static_cast<int>(repeat)), &progress.done());
+            for (std::size_t domain = 0; domain < rows.domains.size(); ++domain)
+                scores[domain].push_back(
+                    scores_of(judge_each(models, rows.judged[domain], context_.run.threads),
+                              context_.merged));
+            if (repeat > 0) continue;
+            rungs.push_back({.name = plan.name,
+                             .title = plan.title,
+                             .training = plan.training,
+                             .descriptor = plan.kind(),
+                             .cost = cost_of(plan, models.front(),
+                                             static_cast<int>(context_.experiment.radar.rx.size()) *
+                                                 context_.experiment.radar.chirps_per_frame)});
+        }
+        LadderRung& rung = rungs.back();
+        for (std::size_t domain = 0; domain < rows.domains.size(); ++domain)
+            rung.domains.push_back(
+                context_.score(rows.domains[domain], mean_scores(scores[domain])));
+        const LadderRung& baseline = rungs.front();
+        for (std::size_t domain = 0; domain < rows.domains.size(); ++domain) {
+            const WorldScores& own = rung.domains[domain].per_world;
+            const WorldScores& other = baseline.domains[domain].per_world;
+            rung.gain.push_back(
+                bootstrap_mean(difference(own.all, other.all), context_.bootstrap()));
+            rung.gain_merged.push_back(
+                bootstrap_mean(difference(own.merged, other.merged), context_.bootstrap()));
+        }
+    }
+    recommend(rungs);
+    return rungs;
+}
+
+}  // namespace specula

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "tools/study/study_context.hpp"
+
+namespace specula {
+
+/// The training recordings and every condition, described for the rungs.
+struct LadderInput {
+    const Recording& training;
+    const std::vector<const Recording*>& conditions;
+};
+
+/// Rows that one rung learns from and is judged on.
+struct RungRows {
+    WorldRows training;
+    std::vector<std::string> domains;  ///< nominal first
+    std::vector<WorldRows> judged;     ///< (domain)
+};
+
+/// Compares the remedies: the same worlds, judged frames, number of rows and steps for each;
+/// nothing is selected, the network of the last epoch counts. Records the training sets.
+///
+/// Recommended is the rung whose worst condition, classes merged, is best; of equals within half a
+/// point the cheapest.
+class Ladder {
+  public:
+    Ladder(const StudyContext& context, const LadderInput& input);
+
+    std::vector<LadderRung> run() const;
+    /// One model per world of a rung, first repeat.
+    std::vector<Model> models_of(const RungPlan& rung) const;
+
+  private:
+    RungRows rows_of(const RungPlan& rung) const;
+    TrialTraining training_of(const RungPlan& rung, int repeat) const;
+
+    const StudyContext& context_;
+    const LadderInput& input_;
+    std::map<std::string, PassingRecording> sets_;  ///< by name
+};
+
+/// What a trained rung costs on the chip beyond the range profile.
+RungCost cost_of(const RungPlan& rung, const Model& model, int n_rows);
+
+}  // namespace specula
