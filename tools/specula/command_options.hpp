@@ -21,6 +21,7 @@ void add_threads(CLI::App* command, int& threads);
 CLI::App* export_group(CLI::App& program);
 
 /// The commands about recordings and the classifiers of them.
+void add_bench(CLI::App& program, BenchArguments& arguments);
 void add_import(CLI::App& program, ImportArguments& arguments);
 void add_export_recording(CLI::App& program, ExportRecordingArguments& arguments);
 void add_train(CLI::App& program, TrainArguments& arguments);

@@ -20,6 +20,8 @@ void completion_command(const std::string& shell, const std::vector<std::string>
         "        case ${COMP_WORDS[1]} in\n"
         "        list) words='materials radars experiments sweeps' ;;\n"
         "        completion) words='bash zsh' ;;\n"
+        "        bench) words='stages trace channel receiver frames storage learning growth threads'"
+        " ;;\n"
         "        study) kinds=experiments ;;\n"
         "        sweep) kinds=sweeps ;;\n"
         "        show) words='material radar experiment sweep'\n"

@@ -13,7 +13,7 @@ namespace {
 const std::vector<std::string> commands{"study",      "simulate",        "show",    "sweep",
                                         "validate",   "import",          "export",  "train",
                                         "evaluate",   "verify-firmware", "latency", "list",
-                                        "completion", "calibrate",       "likeness"};
+                                        "completion", "calibrate",       "likeness", "bench"};
 
 bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
