@@ -78,4 +78,29 @@ Vector3 field_pattern(const Pattern& pattern, const Vector3& direction) {
     return transverse * (std::sqrt(gain_towards(pattern, direction)) / length);
 }
 
+FieldPattern::FieldPattern(const Pattern& pattern) : pattern_(pattern) {
+    const auto* patch = std::get_if<PatchPattern>(&pattern);
+    if (!patch) return;
+    root_peak_ = std::sqrt(linear(patch->gain_dbi));
+    azimuth_exponent_ = exponent_for(patch->half_width_azimuth_rad);
+    elevation_exponent_ = exponent_for(patch->half_width_elevation_rad);
+}
+
+double FieldPattern::root_gain(const Vector3& direction) const {
+    if (!std::holds_alternative<PatchPattern>(pattern_))
+        return std::sqrt(gain_towards(pattern_, direction));
+    const double forward = -direction.z();
+    if (!(forward > 0.0)) return 0.0;
+    const double log_across = 0.5 * std::log(direction.x() * direction.x() + forward * forward);
+    return root_peak_ * std::exp(0.5 * (azimuth_exponent_ * (std::log(forward) - log_across) +
+                                        elevation_exponent_ * log_across));
+}
+
+Vector3 FieldPattern::operator()(const Vector3& direction) const {
+    const Vector3 transverse = Vector3::UnitY() - direction.y() * direction;
+    const double length = transverse.norm();
+    if (length == 0.0) return Vector3::Zero();
+    return transverse * (root_gain(direction) / length);
+}
+
 }  // namespace specula

@@ -47,4 +47,20 @@ inline constexpr double largest_radiated_share = 1.01;
 /// @in  direction  unit, leaving the antenna, radar frame
 Vector3 field_pattern(const Pattern& pattern, const Vector3& direction);
 
+/// field_pattern for many directions: what does not depend on them is worked out once.
+class FieldPattern {
+  public:
+    /// Borrows the pattern.
+    explicit FieldPattern(const Pattern& pattern);
+    Vector3 operator()(const Vector3& direction) const;
+
+  private:
+    double root_gain(const Vector3& direction) const;
+
+    const Pattern& pattern_;
+    double root_peak_ = 1.0;  ///< of a patch, like its exponents
+    double azimuth_exponent_ = 0.0;
+    double elevation_exponent_ = 0.0;
+};
+
 }  // namespace specula

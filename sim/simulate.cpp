@@ -1,8 +1,10 @@
 #include "sim/simulate.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "sim/channel/diffuse_power.hpp"
+#include "sim/channel/layer_path.hpp"
 #include "sim/channel/path.hpp"
 #include "sim/every_tx.hpp"
 #include "sim/height_field.hpp"
@@ -14,11 +16,17 @@ namespace specula {
 
 namespace {
 
-TraceSettings trace_settings(const Solver& solver, const FrequencyComb& comb) {
-    return {.highest_hz = comb.last_hz(),
-            .accuracy_db = solver.accuracy_db,
-            .max_bounces = solver.max_bounces,
-            .edge_currents = solver.edge_currents};
+TraceSettings trace_settings(const Solver& solver, const FrequencyComb& comb,
+                             std::span<const Reflector> reflectors) {
+    TraceSettings settings{.highest_hz = comb.last_hz(),
+                           .accuracy_db = solver.accuracy_db,
+                           .max_bounces = solver.max_bounces,
+                           .edge_currents = solver.edge_currents,
+                           .lowest_hz = comb.first_hz};
+    for (const Reflector& reflector : reflectors)
+        settings.layer_path_m =
+            std::max(settings.layer_path_m, layer_path_m(reflector(comb.at(comb.n / 2))));
+    return settings;
 }
 
 /// A scene ready to be traced.
@@ -34,9 +42,11 @@ struct Stage {
           reflectors(reflectors_of(scene, materials)),
           target(target_of(scene, reflectors)),
           antennas(antennas_of(scene.radar, radar_placement(scene.pose))),
-          settings(trace_settings(scene.solver, comb)) {}
+          settings(trace_settings(scene.solver, comb, reflectors)) {}
 
-    SpeckleScene speckle() const { return {target, antennas, comb, settings.accuracy_db}; }
+    SpeckleScene speckle() const {
+        return {target, antennas, comb, settings.accuracy_db, settings.layer_path_m};
+    }
 };
 
 /// The bodies whose roughness scatters, in the order of the reflectors.

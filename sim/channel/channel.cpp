@@ -6,7 +6,7 @@
 
 #include "sim/channel/coefficients.hpp"
 #include "sim/channel/edge_channel.hpp"
-#include "sim/channel/moments.hpp"
+#include "sim/channel/material_channels.hpp"
 #include "sim/core/constants.hpp"
 
 namespace specula {
@@ -19,24 +19,10 @@ double wavenumber_rad_m(double frequency_hz) {
     return two_pi * frequency_hz / speed_of_light_m_s;
 }
 
-Event currents_of(const Route& route) {
-    const bool mirror = route.rough_face == Route::mirror;
-    return {.kind = mirror ? Event::Kind::reflect : Event::Kind::scatter,
-            .body = route.body,
-            .from_behind = route.from_behind,
-            .face = mirror ? 0 : route.rough_face};
-}
-
 std::vector<Event> events_of(const Route& route) {
     std::vector<Event> events = route.before;
     events.insert(events.end(), route.after.begin(), route.after.end());
     return events;
-}
-
-std::vector<double> frequencies_of(const FrequencyComb& comb) {
-    std::vector<double> frequencies_hz;
-    for (int i = 0; i < comb.n; ++i) frequencies_hz.push_back(comb.at(i));
-    return frequencies_hz;
 }
 
 /// Where the angle dependence is looked at, to see how many polynomials it needs.
@@ -54,48 +40,6 @@ void add_plainly(const RouteScatter& route, std::span<const Reflector> reflector
         for (int rx = 0; rx < channel.n_rx; ++rx)
             channel.of_rx(rx)[i] += direct_sum(alone, rx, reflectors, comb.at(i));
     });
-}
-
-/// A route without events: few frequencies, then interpolation.
-void add_straight(const RouteScatter& scatter, std::span<const Reflector> reflectors,
-                  const FrequencyComb& comb, const ForEach& for_each, Channel& channel) {
-    const Reflector& reflector = reflectors[static_cast<std::size_t>(scatter.route.body)];
-    const Scatter::Extent path = path_extent_m(scatter), cosine = cosine_extent(scatter);
-    if (path.high == 0.0) return;
-    const Event currents = currents_of(scatter.route);
-    const double reference_m = 0.5 * (path.low + path.high);
-    const double half_band_rad_m =
-        0.5 * (wavenumber_rad_m(comb.last_hz()) - wavenumber_rad_m(comb.first_hz));
-    MomentGrid grid{{comb.first_hz, comb.last_hz(), 1}, {cosine.low, cosine.high, 1}, reference_m};
-    grid.frequency_hz.n = points_for_phase(half_band_rad_m * 0.5 * (path.high - path.low));
-    if (grid.frequency_hz.n > 4 * comb.n)
-        return add_plainly(scatter, reflectors, comb, for_each, channel);
-    const auto looks_hz = looks_of(comb);
-    grid.cos_incidence.n = polynomials_needed(currents, reflector, looks_hz, grid.cos_incidence);
-    if (grid.cos_incidence.n == 0) return add_plainly(scatter, reflectors, comb, for_each, channel);
-
-    const std::vector<double> frequencies_hz = frequencies_of(comb);
-    const auto from_nodes = interpolation_matrix(grid.frequency_hz, frequencies_hz);
-    const auto n_f = static_cast<std::size_t>(grid.frequency_hz.n);
-    const auto n_p = static_cast<std::size_t>(grid.cos_incidence.n);
-    std::vector<AngularSeries> series;
-    for (const double f_hz : frequencies_hz)
-        series.push_back(angular_series(currents, reflector(f_hz), grid.cos_incidence));
-    for (int rx = 0; rx < channel.n_rx; ++rx) {
-        const Moments moments = moments_of(scatter.rx[static_cast<std::size_t>(rx)], grid);
-        for (std::size_t i = 0; i < frequencies_hz.size(); ++i) {
-            Complex sum = 0.0;
-            for (std::size_t q = 0; q < n_f; ++q) {
-                Complex at_node = moments.incident[q];
-                for (std::size_t p = 0; p < n_p; ++p)
-                    at_node += series[i].te[p] * moments.te[p * n_f + q] +
-                               series[i].tm[p] * moments.tm[p * n_f + q];
-                sum += from_nodes[i * n_f + q] * at_node;
-            }
-            const double turn_rad = wavenumber_rad_m(frequencies_hz[i]) * reference_m;
-            channel.of_rx(rx)[i] += surface_factor * std::polar(1.0, -turn_rad) * sum;
-        }
-    }
 }
 
 /// The interval and number of polynomials of each event, and of the currents, which come last.
@@ -196,21 +140,33 @@ double reference_path_m(const Scatter& scatter) {
 
 }  // namespace
 
+MaterialChannels::MaterialChannels(const Scatter& scatter, const FrequencyComb& comb)
+    : scatter_(scatter), comb_(comb), reference_path_m_(reference_path_m(scatter)) {
+    for (const RouteScatter& route : scatter.routes)
+        if (route.route.n_events() == 0) straight_.emplace_back(route, comb);
+}
+
+Channel MaterialChannels::channel(std::span<const Reflector> reflectors, const ForEach& for_each) {
+    Channel channel{.n_rx = scatter_.n_rx,
+                    .n_frequencies = comb_.n,
+                    .h = std::vector<Complex>(static_cast<std::size_t>(scatter_.n_rx) *
+                                              static_cast<std::size_t>(comb_.n)),
+                    .reference_path_m = reference_path_m_};
+    std::size_t straight = 0;
+    for (const RouteScatter& route : scatter_.routes) {
+        const Reflector& reflector = reflectors[static_cast<std::size_t>(route.route.body)];
+        if (route.route.n_events() > 0)
+            add_eventful(route, reflectors, comb_, for_each, channel);
+        else if (!straight_[straight++].add(reflector, channel))
+            add_plainly(route, reflectors, comb_, for_each, channel);
+    }
+    add_edges(scatter_, reflectors, comb_, channel);
+    return channel;
+}
+
 Channel channel_of(const Scatter& scatter, std::span<const Reflector> reflectors,
                    const FrequencyComb& comb, const ForEach& for_each) {
-    Channel channel{.n_rx = scatter.n_rx,
-                    .n_frequencies = comb.n,
-                    .h = std::vector<Complex>(static_cast<std::size_t>(scatter.n_rx) *
-                                              static_cast<std::size_t>(comb.n)),
-                    .reference_path_m = reference_path_m(scatter)};
-    for (const RouteScatter& route : scatter.routes) {
-        if (route.route.n_events() == 0)
-            add_straight(route, reflectors, comb, for_each, channel);
-        else
-            add_eventful(route, reflectors, comb, for_each, channel);
-    }
-    add_edges(scatter, reflectors, comb, channel);
-    return channel;
+    return MaterialChannels(scatter, comb).channel(reflectors, for_each);
 }
 
 Complex direct_sum(const Scatter& scatter, int rx, std::span<const Reflector> reflectors,

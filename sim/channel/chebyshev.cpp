@@ -1,5 +1,6 @@
 #include "sim/channel/chebyshev.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "sim/core/constants.hpp"
@@ -21,19 +22,23 @@ int points_for_phase(double a_rad) {
 std::vector<double> interpolation_matrix(const ChebyshevGrid& grid,
                                          std::span<const double> targets) {
     const std::size_t n = static_cast<std::size_t>(grid.n);
-    std::vector<double> matrix(targets.size() * n, 0.0);
+    std::vector<double> matrix(targets.size() * n, 0.0), node(n), share(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        const double sign = i % 2 == 0 ? 1.0 : -1.0;
+        node[i] = grid.node(static_cast<int>(i));
+        share[i] = sign * std::sin(pi * (static_cast<double>(i) + 0.5) / grid.n);
+    }
     for (std::size_t row = 0; row < targets.size(); ++row) {
         double* weights = &matrix[row * n];
         double sum = 0.0;
         for (std::size_t i = 0; i < n; ++i) {
-            const double distance = targets[row] - grid.node(static_cast<int>(i));
+            const double distance = targets[row] - node[i];
             if (distance == 0.0) {
                 std::fill(weights, weights + n, 0.0);
                 weights[i] = sum = 1.0;
                 break;
             }
-            const double sign = i % 2 == 0 ? 1.0 : -1.0;
-            weights[i] = sign * std::sin(pi * (static_cast<double>(i) + 0.5) / grid.n) / distance;
+            weights[i] = share[i] / distance;
             sum += weights[i];
         }
         for (std::size_t i = 0; i < n; ++i) weights[i] /= sum;

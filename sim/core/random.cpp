@@ -2,10 +2,10 @@
 
 #include <Random123/philox.h>
 
-#include <cmath>
+#include <algorithm>
 
-#include "sim/core/constants.hpp"
 #include "sim/core/expect.hpp"
+#include "sim/core/kernels.hpp"
 
 namespace specula {
 
@@ -42,16 +42,28 @@ double Stream::uniform() {
     return (bits() + 0.5) * 0x1p-32;
 }
 
+void Stream::fill_bits(std::span<std::uint32_t> words) {
+    std::size_t i = 0;
+    while (i < words.size() && used_ < 4) words[i++] = bits();
+    for (; i + 4 <= words.size(); i += 4) {
+        refill();
+        std::copy(block_.begin(), block_.end(), words.begin() + static_cast<std::ptrdiff_t>(i));
+        used_ = 4;
+    }
+    while (i < words.size()) words[i++] = bits();
+}
+
 double Stream::normal() {
     if (has_spare_) {
         has_spare_ = false;
         return spare_normal_;
     }
-    const double radius = std::sqrt(-2.0 * std::log(uniform()));
-    const double angle_rad = two_pi * uniform();
-    spare_normal_ = radius * std::sin(angle_rad);
+    const std::uint32_t words[2] = {bits(), bits()};
+    double pair[2];
+    kernels().normals(words, 1, pair);
+    spare_normal_ = pair[1];
     has_spare_ = true;
-    return radius * std::cos(angle_rad);
+    return pair[0];
 }
 
 std::uint32_t Stream::below(std::uint32_t n) {
@@ -60,7 +72,17 @@ std::uint32_t Stream::below(std::uint32_t n) {
 }
 
 void Stream::fill_normal(std::span<double> values) {
-    for (double& value : values) value = normal();
+    constexpr std::size_t most_pairs = 128;
+    std::array<std::uint32_t, 2 * most_pairs> words;
+    std::size_t i = 0;
+    if (has_spare_ && !values.empty()) values[i++] = normal();
+    while (i + 2 <= values.size()) {
+        const std::size_t n_pairs = std::min(most_pairs, (values.size() - i) / 2);
+        fill_bits(std::span(words).first(2 * n_pairs));
+        kernels().normals(words.data(), n_pairs, &values[i]);
+        i += 2 * n_pairs;
+    }
+    if (i < values.size()) values[i] = normal();
 }
 
 }  // namespace specula

@@ -31,7 +31,9 @@ class Stream {
     double normal();
     /// Integer in [0, n), n > 0, unbiased to 2^-32 n.
     std::uint32_t below(std::uint32_t n);
+    /// The same numbers as one by one, many at a time.
     void fill_normal(std::span<double> values);
+    void fill_bits(std::span<std::uint32_t> words);
 
   private:
     void refill();

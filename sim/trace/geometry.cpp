@@ -6,18 +6,17 @@
 #include <embree3/rtcore.h>
 #endif
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "sim/core/error.hpp"
 #include "sim/core/format.hpp"
+#include "sim/trace/way_packet.hpp"
 
 namespace specula {
 
 namespace {
-
-/// Length at the ends of a way that is not looked at, since surfaces begin and end there.
-constexpr double end_margin_m = 1e-4;
 
 /// One device for the whole program: a second one would start threads of its own.
 RTCDevice device() {
@@ -38,6 +37,17 @@ void occluded(RTCScene scene, const int* valid, RTCRay16& rays) {
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     rtcOccluded16(valid, scene, &context, &rays);
 #endif
+}
+
+bool occluded(RTCScene scene, RTCRay& ray) {
+#if RTC_VERSION_MAJOR >= 4
+    rtcOccluded1(scene, &ray);
+#else
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcOccluded1(scene, &context, &ray);
+#endif
+    return ray.tfar < 0.0f;  // Embree's mark of a hit
 }
 
 bool intersect(RTCScene scene, RTCRayHit& ray) {
@@ -120,24 +130,32 @@ BoundingSphere sphere_around(const std::vector<Mesh>& meshes) {
     return {0.5 * (low + high), 0.5 * (high - low).norm() + 0.01};
 }
 
-/// A way in metres from `origin` along a unit direction, cut to a sphere and freed of its ends.
-struct Way {
-    Vector3 origin;
-    Vector3 direction;
-    double near_m;
-    double far_m;
-};
+RTCRay16 rays_of(const WayPacket& packet) {
+    RTCRay16 rays{};
+    std::copy_n(packet.origin_x, packet_size, rays.org_x);
+    std::copy_n(packet.origin_y, packet_size, rays.org_y);
+    std::copy_n(packet.origin_z, packet_size, rays.org_z);
+    std::copy_n(packet.direction_x, packet_size, rays.dir_x);
+    std::copy_n(packet.direction_y, packet_size, rays.dir_y);
+    std::copy_n(packet.direction_z, packet_size, rays.dir_z);
+    std::copy_n(packet.near_m, packet_size, rays.tnear);
+    std::copy_n(packet.far_m, packet_size, rays.tfar);
+    std::fill_n(rays.mask, packet_size, ~0u);
+    return rays;
+}
 
-Way way_between(const Vector3& from, const Vector3& to, const BoundingSphere& around) {
-    const double length = (to - from).norm();
-    Way way{from, (to - from) / length, end_margin_m, length - end_margin_m};
-    const double outside = (from - around.centre_m).norm() - around.radius_m;
-    if (outside > 0.0) {
-        way.origin += outside * way.direction;
-        way.near_m = 0.0;
-        way.far_m -= outside;
-    }
-    return way;
+RTCRay ray_of(const WayPacket& packet, std::size_t i) {
+    RTCRay ray{};
+    ray.org_x = packet.origin_x[i];
+    ray.org_y = packet.origin_y[i];
+    ray.org_z = packet.origin_z[i];
+    ray.dir_x = packet.direction_x[i];
+    ray.dir_y = packet.direction_y[i];
+    ray.dir_z = packet.direction_z[i];
+    ray.tnear = packet.near_m[i];
+    ray.tfar = packet.far_m[i];
+    ray.mask = ~0u;
+    return ray;
 }
 
 RTCRayHit ray_along(const Way& way) {
@@ -153,11 +171,6 @@ RTCRayHit ray_along(const Way& way) {
     ray.ray.mask = ~0u;
     ray.hit.geomID = ray.hit.primID = ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     return ray;
-}
-
-/// Debian's Embree ends the program on a ray that is not finite.
-bool traceable(const Way& way) {
-    return way.origin.allFinite() && way.direction.allFinite() && way.far_m > way.near_m;
 }
 
 }  // namespace
@@ -192,34 +205,55 @@ Geometry& Geometry::operator=(Geometry&&) noexcept = default;
 
 void Geometry::shadow(const Vector3& from, std::span<const Vector3> to,
                       std::span<char> clear) const {
-    for (std::size_t first = 0; first < to.size(); first += 16) {
-        const std::size_t n = std::min<std::size_t>(16, to.size() - first);
-        alignas(64) RTCRay16 rays{};
-        alignas(64) int valid[16] = {};
-        for (std::size_t i = 0; i < n; ++i) {
-            const Way way = held_->way(from, to[first + i]);
-            if (!traceable(way)) continue;
-            valid[i] = -1;
-            rays.org_x[i] = static_cast<float>(way.origin.x());
-            rays.org_y[i] = static_cast<float>(way.origin.y());
-            rays.org_z[i] = static_cast<float>(way.origin.z());
-            rays.dir_x[i] = static_cast<float>(way.direction.x());
-            rays.dir_y[i] = static_cast<float>(way.direction.y());
-            rays.dir_z[i] = static_cast<float>(way.direction.z());
-            rays.tnear[i] = static_cast<float>(way.near_m);
-            rays.tfar[i] = static_cast<float>(way.far_m);
-            rays.mask[i] = ~0u;
-        }
-        occluded(held_->scene, valid, rays);
+    const WaySource source{held_->frame, held_->around, from};
+    WayPacket packet;
+    for (std::size_t first = 0; first < to.size(); first += packet_size) {
+        const std::size_t n = std::min(packet_size, to.size() - first);
+        make_ways(source, to.subspan(first, n), packet);
+        RTCRay16 rays = rays_of(packet);
+        occluded(held_->scene, packet.valid, rays);
         for (std::size_t i = 0; i < n; ++i)
-            if (valid[i] && rays.tfar[i] < 0.0f) clear[first + i] = 0;  // Embree's mark of a hit
+            if (packet.valid[i] && rays.tfar[i] < 0.0f) clear[first + i] = 0;
     }
+}
+
+struct Geometry::ReadyRays {
+    std::vector<WayPacket> packets;
+};
+
+std::shared_ptr<Geometry::ReadyRays> Geometry::made_ready(const Vector3& from,
+                                                          std::span<const Vector3> to) const {
+    const auto ready = std::make_shared<ReadyRays>();
+    ready->packets.resize((to.size() + packet_size - 1) / packet_size);
+    const WaySource source{held_->frame, held_->around, from};
+    for (std::size_t p = 0; p < ready->packets.size(); ++p)
+        make_ways(source, to.subspan(p * packet_size, std::min(packet_size, to.size() - p * packet_size)),
+                  ready->packets[p]);
+    return ready;
+}
+
+std::size_t Geometry::n_blocked(const ReadyRays& rays, bool in_packets) const {
+    std::size_t n = 0;
+    for (const WayPacket& packet : rays.packets) {
+        if (in_packets) {
+            RTCRay16 all = rays_of(packet);
+            occluded(held_->scene, packet.valid, all);
+            for (std::size_t i = 0; i < packet_size; ++i) n += packet.valid[i] && all.tfar[i] < 0.0f;
+            continue;
+        }
+        for (std::size_t i = 0; i < packet_size; ++i) {
+            if (!packet.valid[i]) continue;
+            RTCRay ray = ray_of(packet, i);
+            n += occluded(held_->scene, ray);
+        }
+    }
+    return n;
 }
 
 std::vector<int> Geometry::crossings(const Vector3& from, const Vector3& to) const {
     std::vector<int> crossed;
     Way way = held_->way(from, to);
-    while (traceable(way) && static_cast<int>(crossed.size()) < most_crossings) {
+    while (way.is_traceable() && static_cast<int>(crossed.size()) < most_crossings) {
         RTCRayHit ray = ray_along(way);
         if (!intersect(held_->scene, ray)) break;
         const int face = static_cast<int>(ray.hit.geomID);
@@ -233,7 +267,7 @@ std::vector<int> Geometry::crossings(const Vector3& from, const Vector3& to) con
 bool Geometry::holds(int geometry, const Vector3& point, const Vector3& direction) const {
     const Vector3 along = held_->frame.direction(direction);
     Way way{held_->frame.point(point) - 2.0 * end_margin_m * along, along, 0.0, 4.0 * end_margin_m};
-    while (traceable(way)) {
+    while (way.is_traceable()) {
         RTCRayHit ray = ray_along(way);
         if (!intersect(held_->scene, ray)) return false;
         if (static_cast<int>(ray.hit.geomID) == geometry) return true;

@@ -53,6 +53,12 @@ class Geometry {
 
     static constexpr int most_crossings = 16;
 
+    /// The same question made ready for Embree, to measure what Embree alone can do.
+    struct ReadyRays;
+    std::shared_ptr<ReadyRays> made_ready(const Vector3& from, std::span<const Vector3> to) const;
+    /// How many of the ways something lies on; asked sixteen at a time, or each alone.
+    std::size_t n_blocked(const ReadyRays& rays, bool in_packets) const;
+
   private:
     struct Held;
     std::unique_ptr<Held> held_;

@@ -28,4 +28,21 @@ struct PointCount {
 PointCount points_needed(const Surface& surface, const Patch& patch, const PhaseCentres& centres,
                          double wavelength_m, double accuracy_db);
 
+/// What else than the path turns the integrand, and over which band.
+struct Detail {
+    double centre_rad_m = 0.0;     ///< wave number whose phase is summed exactly
+    double half_band_rad_m = 0.0;  ///< how far the others are from it
+    /// Way within layers: their coefficients turn by up to the highest wave number times this
+    /// times the change of the cosine of incidence.
+    double layer_path_m = 0.0;
+};
+
+/// How many Chebyshev points per axis carry all of the integrand but the phase at one wave number:
+/// the antennas' patterns, the spread, the coefficients, and what the phase at other frequencies of
+/// the band differs.
+/// @eq  PHYSICS.md#thinned-quadrature
+PointCount thin_points_needed(const Surface& surface, const Patch& patch,
+                              const PhaseCentres& centres, const Detail& detail,
+                              double accuracy_db);
+
 }  // namespace specula

@@ -4,7 +4,8 @@
 #include <cmath>
 
 #include "sim/core/constants.hpp"
-#include "sim/trace/physical_optics.hpp"
+#include "sim/trace/thin_nodes.hpp"
+#include "sim/trace/thin_plate.hpp"
 
 namespace specula {
 
@@ -29,11 +30,14 @@ double area_m2(const Surface& surface) {
     return 4.0 * surface_point(surface, 0.0, 0.0).area_normal().norm();
 }
 
-std::vector<Cell> cells_of(const Body& body, double correlation_m) {
+double cell_side_m(const Body& body, double correlation_m) {
     double total_m2 = 0.0;
     for (const Surface& surface : body.surfaces) total_m2 += area_m2(surface);
-    const double side_m =
-        std::max({smallest_cell_m, correlation_m, std::sqrt(total_m2 / most_cells)});
+    return std::max({smallest_cell_m, correlation_m, std::sqrt(total_m2 / most_cells)});
+}
+
+std::vector<Cell> cells_of(const Body& body, double correlation_m) {
+    const double side_m = cell_side_m(body, correlation_m);
     std::vector<Cell> cells;
     for (const Surface& surface : body.surfaces) {
         const SurfacePoint middle = surface_point(surface, 0.0, 0.0);
@@ -88,7 +92,93 @@ void add_cell(const CellView& view, bool clear, PairScatter& pair) {
     pair.weight[2].push_back(w.tm * spread);
 }
 
+/// Middles of n equal parts of [-1, 1], seen from n_thin Chebyshev points.
+ThinPoints::Axis cell_axis(int n, int n_thin) {
+    std::vector<double> middles;
+    for (int i = 0; i < n; ++i) middles.push_back((2.0 * i + 1.0) / n - 1.0);
+    const std::vector<double> alike(middles.size(), 1.0);
+    return thin_axis({-1.0, 1.0}, n_thin, std::move(middles), alike);
+}
+
+/// How many thin points all RX together need.
+PointCount thin_count(const Surface& surface, const AntennaSet& antennas,
+                      const TraceSettings& settings) {
+    PointCount most{1, 1};
+    for (const PlacedAntenna& rx : antennas.rx) {
+        const PointCount needed =
+            thin_points_needed(surface, {}, {antennas.tx.position_m, rx.position_m},
+                               detail_of(settings), settings.accuracy_db);
+        most = {std::max(most.u, needed.u), std::max(most.v, needed.v)};
+    }
+    return most;
+}
+
+/// Thin points must be fewer than this share of the cells.
+constexpr double worth_while_of_cells = 0.5;
+
+/// Cosine between the normal and the directions to TX and RX, as for a cell.
+double cosine_between(const LitNode& node, const NodeView& view) {
+    return (view.to_rx - node.arriving).normalized().dot(node.normal);
+}
+
 }  // namespace
+
+std::optional<RouteScatter> drawn_thin_cells(const Target& target, const AntennaSet& antennas,
+                                             const RoughLayer& layer,
+                                             const TraceSettings& settings, Stream& piece) {
+    if (!thinnable_plate(target, antennas, settings)) return std::nullopt;
+    const Surface& surface = target.faces()[0].surfaces[0];
+    const SurfacePoint middle = surface_point(surface, 0.0, 0.0);
+    const double side_m = cell_side_m(target.bodies()[0], layer.correlation_m);
+    const int n_u = n_along(middle.along_u, side_m), n_v = n_along(middle.along_v, side_m);
+    const PointCount thin = thin_count(surface, antennas, settings);
+    if (thin.u * thin.v > worth_while_of_cells * n_u * n_v) return std::nullopt;
+    const ThinPoints points(surface, cell_axis(n_u, thin.u), cell_axis(n_v, thin.v));
+    const std::vector<LitNode> lit = lit_nodes(surface, points, antennas.tx);
+    const double centre_rad_m = detail_of(settings).centre_rad_m;
+
+    RouteScatter route{.route = {.before = {},
+                                 .body = layer.body,
+                                 .from_behind = false,
+                                 .after = {},
+                                 .rough_face = layer.face},
+                       .rx = std::vector<PairScatter>(antennas.rx.size())};
+    std::vector<std::vector<NodeView>> views;
+    for (const PlacedAntenna& rx : antennas.rx) {
+        const NodeViewer seen_from(rx);
+        views.emplace_back();
+        for (const LitNode& node : lit) {
+            views.back().push_back(seen_from(node));
+            const double cosine = cosine_between(node, views.back().back());
+            if (cosine * cosine < grazing_cos_squared) return std::nullopt;  // a kink lies there
+        }
+    }
+    // A pair of normal numbers over sqrt(2) is an amplitude of mean square 1 and an even phase.
+    std::vector<double> numbers(2 * static_cast<std::size_t>(n_u) * static_cast<std::size_t>(n_v));
+    piece.fill_normal(numbers);
+    std::vector<std::complex<double>> amplitudes;
+    for (std::size_t i = 0; i < numbers.size(); i += 2)
+        amplitudes.push_back(std::sqrt(0.5) * std::complex<double>(numbers[i], numbers[i + 1]));
+    for (std::size_t rx = 0; rx < antennas.rx.size(); ++rx) {
+        const auto sums = points.weights({antennas.tx.position_m, antennas.rx[rx].position_m},
+                                         centre_rad_m, amplitudes);
+        route.rx[rx].weight.resize(route.route.n_weights());
+        for (std::size_t i = 0; i < lit.size(); ++i) {
+            const NodeView& view = views[rx][i];
+            const double cosine = cosine_between(lit[i], view);
+            const double cell_m2 = lit[i].stretch_m2 * 4.0 / (n_u * n_v);
+            append(lit[i], view,
+                   {.sum = sums[i],
+                    .spread = std::sqrt(cell_m2) / (lit[i].r1_m * view.r2_m * cosine * cosine),
+                    .cos_incidence = cosine,
+                    .centre_rad_m = centre_rad_m},
+                   route.rx[rx]);
+        }
+        // The unreflected part scatters forwards only.
+        std::fill(route.rx[rx].weight[0].begin(), route.rx[rx].weight[0].end(), 0.0);
+    }
+    return route;
+}
 
 RouteScatter diffuse_cells(const Target& target, const AntennaSet& antennas,
                            const RoughLayer& layer) {

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <optional>
+
 #include "sim/core/random.hpp"
 #include "sim/trace/placed_antenna.hpp"
 #include "sim/trace/scatter.hpp"
 #include "sim/trace/target.hpp"
+#include "sim/trace/trace.hpp"
 
 namespace specula {
 
@@ -30,6 +33,13 @@ RouteScatter diffuse_cells(const Target& target, const AntennaSet& antennas,
 /// Gives every cell its complex Gaussian amplitude. They belong to the piece: moving it turns the
 /// cells against each other, which is what decorrelates speckle; standing still does not.
 void draw_speckle(RouteScatter& cells, Stream& piece);
+
+/// The same cells, drawn, of a plate by itself: the phase at the middle of the band and the cells'
+/// amplitudes are summed into few points (thin_plate.hpp). Nothing where that is not possible or
+/// saves nothing; the stream is then as it was.
+std::optional<RouteScatter> drawn_thin_cells(const Target& target, const AntennaSet& antennas,
+                                             const RoughLayer& layer,
+                                             const TraceSettings& settings, Stream& piece);
 
 /// The smallest side of a cell.
 inline constexpr double smallest_cell_m = 6e-3;

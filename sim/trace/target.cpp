@@ -75,10 +75,18 @@ Face whole_face(const Body& body, int number) {
     return face;
 }
 
+Mesh mesh_of(const Face& face, const Body& body) {
+    const Surface& first = face.surfaces.front();
+    if (face.flat && std::holds_alternative<TriangleSurface>(first)) return mesh_of(face.surfaces);
+    const auto* plate = std::get_if<PlateSurface>(&first);
+    return plate && body.mesh.triangles.empty() ? triangulate(plate->plate, plate->placement)
+                                                : body.mesh;
+}
+
 }  // namespace
 
 Body plate_body(const Plate& plate, const Placement& placement, bool opaque, double thickness_m) {
-    return {{PlateSurface{plate, placement}}, triangulate(plate, placement), opaque, thickness_m};
+    return {{PlateSurface{plate, placement}}, {}, opaque, thickness_m};
 }
 
 Body smooth_body(const Surface& surface) {
@@ -112,20 +120,30 @@ Body mesh_body(const Mesh& mesh, bool opaque, double thickness_m) {
 }
 
 Target::Target(std::vector<Body> bodies) : bodies_(std::move(bodies)) {
-    std::vector<Mesh> meshes;
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
         const Body& body = bodies_[i];
         if (body.surfaces.empty()) continue;
         std::vector<Face> faces = flat_faces(body, static_cast<int>(i));
-        if (faces.empty()) {
-            faces.push_back(whole_face(body, static_cast<int>(i)));
-            meshes.push_back(body.mesh);
-        } else {
-            for (const Face& face : faces) meshes.push_back(mesh_of(face.surfaces));
-        }
+        if (faces.empty()) faces.push_back(whole_face(body, static_cast<int>(i)));
         faces_.insert(faces_.end(), faces.begin(), faces.end());
     }
-    geometry_ = std::make_unique<Geometry>(meshes);
+    // A plate by itself may never be asked for; all else says at once what is wrong with it.
+    if (!lone_plate()) geometry();
+}
+
+const Geometry& Target::geometry() const {
+    std::call_once(rays_->once, [this] {
+        std::vector<Mesh> meshes;
+        for (const Face& face : faces_)
+            meshes.push_back(mesh_of(face, bodies_[static_cast<std::size_t>(face.body)]));
+        rays_->geometry = std::make_unique<Geometry>(meshes);
+    });
+    return *rays_->geometry;
+}
+
+const PlateSurface* Target::lone_plate() const {
+    if (faces_.size() != 1 || faces_[0].surfaces.size() != 1) return nullptr;
+    return std::get_if<PlateSurface>(&faces_[0].surfaces[0]);
 }
 
 }  // namespace specula

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
 #include <vector>
 
 #include "sim/trace/geometry.hpp"
@@ -11,7 +12,7 @@ namespace specula {
 /// An object as waves meet it: its faces, and whether they come through.
 struct Body {
     std::vector<Surface> surfaces;
-    Mesh mesh;           ///< the same in triangles
+    Mesh mesh;           ///< the same in triangles; of a plate, made when rays need it
     bool opaque = true;  ///< nothing passes; else a sheet of `thickness_m` that is all front face
     double thickness_m = 0.0;
 };
@@ -43,8 +44,10 @@ class Target {
     const std::vector<Body>& bodies() const { return bodies_; }
     const std::vector<Face>& faces() const { return faces_; }
     const Body& body_of(int face) const { return bodies_[faces_[face].body]; }
-    /// Geometry number i is face number i.
-    const Geometry& geometry() const { return *geometry_; }
+    /// Geometry number i is face number i. Made for the first who asks, from whichever thread.
+    const Geometry& geometry() const;
+    /// A plate by itself, flat or bowed; else nullptr.
+    const PlateSurface* lone_plate() const;
 
     /// A body of more flat parts than this is one curved face.
     static constexpr int most_flat_faces = 48;
@@ -52,7 +55,11 @@ class Target {
   private:
     std::vector<Body> bodies_;
     std::vector<Face> faces_;
-    std::unique_ptr<Geometry> geometry_;
+    struct Rays {
+        std::once_flag once;
+        std::unique_ptr<Geometry> geometry;
+    };
+    std::unique_ptr<Rays> rays_ = std::make_unique<Rays>();
 };
 
 }  // namespace specula

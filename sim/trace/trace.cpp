@@ -8,6 +8,7 @@
 #include "sim/trace/gauss_legendre.hpp"
 #include "sim/trace/quadrature.hpp"
 #include "sim/trace/route_collector.hpp"
+#include "sim/trace/thin_plate.hpp"
 
 namespace specula {
 
@@ -186,10 +187,8 @@ void for_each_mirrors(const Target& target, const Mirrors& so_far, int most, con
     }
 }
 
-}  // namespace
-
-Scatter trace(const Target& target, const AntennaSet& antennas, const TraceSettings& settings) {
-    SPECULA_EXPECT(settings.highest_hz > 0.0 && settings.accuracy_db > 0.0);
+Scatter trace_faces(const Target& target, const AntennaSet& antennas,
+                    const TraceSettings& settings) {
     RouteCollector routes(target, antennas);
     FaceTracer tracer(target, antennas, settings, routes);
     const int most_mirrors = target.faces().size() == 1 ? 0 : settings.max_bounces - 1;
@@ -202,7 +201,15 @@ Scatter trace(const Target& target, const AntennaSet& antennas, const TraceSetti
                                  tracer.add({number, mirrors, rx});
                          }
                      });
-    Scatter scatter = routes.take();
+    return routes.take();
+}
+
+}  // namespace
+
+Scatter trace(const Target& target, const AntennaSet& antennas, const TraceSettings& settings) {
+    SPECULA_EXPECT(settings.highest_hz > 0.0 && settings.accuracy_db > 0.0);
+    std::optional<Scatter> thin = trace_thin_plate(target, antennas, settings);
+    Scatter scatter = thin ? std::move(*thin) : trace_faces(target, antennas, settings);
     if (settings.edge_currents) scatter.edges = trace_edges(target, antennas, settings);
     return scatter;
 }

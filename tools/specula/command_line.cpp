@@ -214,6 +214,9 @@ int run_program(int argc, char** argv) {
     ValidateArguments validation;
     validation.threads = available_threads();
     add_validate(program, validation);
+    BenchArguments bench;
+    bench.threads = available_threads();
+    add_bench(program, bench);
     ImportArguments import;
     add_import(program, import);
     ExportRecordingArguments export_;
@@ -265,6 +268,7 @@ int run_program(int argc, char** argv) {
             if (command == "calibrate") calibrate_command(calibration, catalogue);
             if (command == "likeness") likeness_command(likeness, catalogue);
             if (command == "validate") status = validate_command(validation, catalogue);
+            if (command == "bench") bench_command(bench, catalogue);
             if (command == "import") import_command(import, catalogue);
             if (command == "export" && !export_.what.empty())
                 export_recording_command(export_, catalogue);

@@ -27,6 +27,25 @@ std::string seed_problem(const std::string& text) {
     return text + " is not a whole number from 0 to 18446744073709551615";
 }
 
+void add_bench(CLI::App& program, BenchArguments& arguments) {
+    CLI::App* command = add_command(
+        program, "bench", "Measure how fast this machine simulates, beside what limits it",
+        "specula bench stages channel --seconds 1\n"
+        "  WHAT: stages, trace, channel, receiver, frames, storage, learning, growth, threads.\n"
+        "  Rates are per second of CPU time of one core; all of them take about a minute.");
+    command->add_option("WHAT", arguments.parts, "parts to measure; default all");
+    command->add_option("--seconds", arguments.seconds, "s of CPU time per rate, 0.001 to 60")
+        ->check(CLI::Range(0.001, 60.0).description(""))
+        ->capture_default_str();
+    command->add_option("--decades", arguments.decades, "of size in growth, 0.5 to 3")
+        ->check(CLI::Range(0.5, 3.0).description(""))
+        ->capture_default_str();
+    command->add_flag("--json", arguments.json, "print JSON instead of tables");
+    command->add_option("--figure", arguments.figure, "draw stages and growth as SVG, PNG and CSV")
+        ->type_name("FOLDER");
+    add_threads(command, arguments.threads);
+}
+
 void add_import(CLI::App& program, ImportArguments& arguments) {
     CLI::App* command = add_command(
         program, "import", "Read a recording into a dataset",

@@ -24,6 +24,9 @@ CLI::App* export_group(CLI::App& program);
 void add_generate(CLI::App& program, GenerateArguments& arguments);
 void add_merge(CLI::App& program, MergeArguments& arguments);
 
+/// Speed.
+void add_bench(CLI::App& program, BenchArguments& arguments);
+
 /// The commands about recordings.
 void add_import(CLI::App& program, ImportArguments& arguments);
 void add_export_recording(CLI::App& program, ExportRecordingArguments& arguments);

@@ -67,6 +67,17 @@ struct ValidateArguments {
 /// The exit status: 0, 1 where a tolerance is missed, 3 where a case cannot be computed.
 int validate_command(const ValidateArguments& arguments, const Catalogue& catalogue);
 
+struct BenchArguments {
+    std::vector<std::string> parts;  ///< of bench_parts(); empty: all
+    double seconds = 0.3;            ///< per rate
+    double decades = 3.0;            ///< of growth
+    int threads = 1;
+    bool json = false;
+    std::filesystem::path figure;  ///< folder; empty: none
+};
+void bench_command(const BenchArguments& arguments, const Catalogue& catalogue);
+
+/// @in what  "materials", "radars", "experiments" or "sweeps"
 /// @in what  "materials", "radars", "experiments", "datasets" or "sweeps"
 void list_command(const std::string& what, const Catalogue& catalogue);
 

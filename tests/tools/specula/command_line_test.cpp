@@ -14,7 +14,7 @@ const std::vector<std::string> commands{"study",      "simulate",        "show",
                                         "validate",   "import",          "export",  "train",
                                         "evaluate",   "verify-firmware", "latency", "list",
                                         "completion", "calibrate",       "likeness", "predict",
-                                        "diff",       "augment"};
+                                        "diff",       "augment",         "bench"};
 
 bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;

@@ -1,0 +1,56 @@
+#include "sim/trace/thin_nodes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace specula {
+
+std::vector<LitNode> lit_nodes(const Surface& surface, const ThinPoints& points,
+                               const PlacedAntenna& tx) {
+    const FieldPattern pattern(tx.pattern);
+    std::vector<LitNode> lit;
+    lit.reserve(points.nodes().size());
+    for (const auto& [u, v] : points.nodes()) {
+        const SurfacePoint at = surface_point(surface, u, v);
+        const Vector3 area_normal = at.area_normal();
+        const Vector3 from_tx = at.point_m - tx.position_m;
+        LitNode node{.point_m = at.point_m,
+                     .normal = area_normal.normalized(),
+                     .arriving = from_tx.normalized(),
+                     .tx_field = Vector3::Zero(),
+                     .r1_m = from_tx.norm(),
+                     .stretch_m2 = area_normal.norm(),
+                     .at_back = false};
+        node.at_back = node.arriving.dot(node.normal) > 0.0;
+        if (node.at_back) node.normal = -node.normal;
+        node.tx_field = tx.rotation * pattern(tx.rotation.transpose() * node.arriving);
+        lit.push_back(node);
+    }
+    return lit;
+}
+
+NodeView NodeViewer::operator()(const LitNode& node) const {
+    const Vector3 to_rx = rx_.position_m - node.point_m;
+    NodeView view{.r2_m = to_rx.norm(), .to_rx = {}, .weights = {}};
+    view.to_rx = to_rx / view.r2_m;
+    view.weights =
+        bounce_weights({.to_point = node.arriving,
+                        .to_rx = view.to_rx,
+                        .normal = node.normal,
+                        .tx_field = node.tx_field,
+                        .rx_field = rx_.rotation * pattern_(rx_.rotation.transpose() * -view.to_rx)});
+    return view;
+}
+
+void append(const LitNode& node, const NodeView& view, const NodeSum& sum, PairScatter& pair) {
+    const double path_m = node.r1_m + view.r2_m;
+    const double spread = std::abs(sum.sum) * sum.spread;
+    pair.path_m.push_back(path_m);
+    pair.phase_rad.push_back(std::arg(sum.sum) + sum.centre_rad_m * path_m);
+    pair.cos_incidence.push_back(std::min(1.0, sum.cos_incidence));
+    pair.weight[0].push_back(view.weights.incident * spread);
+    pair.weight[1].push_back(view.weights.te * spread);
+    pair.weight[2].push_back(view.weights.tm * spread);
+}
+
+}  // namespace specula

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "scenes/antenna.hpp"
+#include "sim/trace/physical_optics.hpp"
+#include "sim/trace/placed_antenna.hpp"
+#include "sim/trace/scatter.hpp"
+#include "sim/trace/thin_points.hpp"
+
+namespace specula {
+
+/// A thin point of a lone plate with what all RX have in common.
+struct LitNode {
+    Vector3 point_m;
+    Vector3 normal;    ///< unit, against the wave
+    Vector3 arriving;  ///< unit
+    Vector3 tx_field;
+    double r1_m;
+    double stretch_m2;  ///< area per unit of u and v
+    bool at_back;       ///< the wave comes from behind the plate
+};
+std::vector<LitNode> lit_nodes(const Surface& surface, const ThinPoints& points,
+                               const PlacedAntenna& tx);
+
+/// A lit node and one RX.
+struct NodeView {
+    double r2_m;
+    Vector3 to_rx;  ///< unit
+    BounceWeights weights;
+};
+
+/// An RX and what its pattern needs, for many nodes.
+class NodeViewer {
+  public:
+    explicit NodeViewer(const PlacedAntenna& rx) : rx_(rx), pattern_(rx.pattern) {}
+    NodeView operator()(const LitNode& node) const;
+
+  private:
+    const PlacedAntenna& rx_;
+    FieldPattern pattern_;
+};
+
+/// Appends a node to a pair: complex `sum` of the dense points' waves, `spread` what else the
+/// weights are multiplied with. The node's own phase at the band's centre is taken out again.
+struct NodeSum {
+    std::complex<double> sum;
+    double spread;
+    double cos_incidence;
+    double centre_rad_m;
+};
+void append(const LitNode& node, const NodeView& view, const NodeSum& sum, PairScatter& pair);
+
+}  // namespace specula
