@@ -105,11 +105,13 @@ Reliability reliability_of(const ClassProbabilities& probabilities,
         if (bin.n == 0) continue;
         const auto n = static_cast<double>(bin.n);
         result.expected_calibration_error += std::abs(bin.accuracy - bin.confidence) / n_all;
-        result.mean_confidence += bin.confidence / n_all;
-        result.accuracy += bin.accuracy / n_all;
+        result.mean_confidence += bin.confidence;
+        result.accuracy += bin.accuracy;
         bin.confidence /= n;
         bin.accuracy /= n;
     }
+    result.mean_confidence /= n_all;
+    result.accuracy /= n_all;
     return result;
 }
 

@@ -55,8 +55,8 @@ class BlobWriter {
 void check(const Model& model) {
     if (!model.measurement)
         throw InputError(
-            "measurement: the model does not say which chirp and bins it was trained on; "
-            "train it again, or export it as --onnx");
+            "measurement: the model does not say which radar's chirps it was trained on; train it "
+            "with --radar NAME on beat samples, or export the network alone as --onnx");
     if (model.n_features() > FW_MODEL_MAX_FEATURES)
         throw InputError(
             format("input_mean = [{} values]: more features than the firmware takes; "

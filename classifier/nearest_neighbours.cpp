@@ -53,6 +53,14 @@ Matrix<float> spread_centres(const Matrix<float>& points, Index n_centres, Strea
     return centres;
 }
 
+/// Sum of squared distances from the nearest centres.
+double spread_around(const Matrix<float>& centres, const Matrix<float>& points) {
+    double sum = 0.0;
+    for (Index i = 0; i < points.cols(); ++i)
+        sum += static_cast<double>(squared_distances_to(centres, points.col(i)).minCoeff());
+    return sum;
+}
+
 Matrix<float> cluster_means(const Matrix<float>& points, Index n_centres, int rounds,
                             Stream& stream) {
     Matrix<float> centres = spread_centres(points, n_centres, stream);
@@ -125,8 +133,12 @@ Prototypes fit_prototypes(const FeatureTable& rows, const PrototypeOptions& opti
             if (rows.label[i] == label) own.push_back(static_cast<Index>(i));
         if (own.empty()) continue;
         const auto n = std::min<Index>(options.per_class, static_cast<Index>(own.size()));
-        const Matrix<float> centres =
-            cluster_means(columns_of(inputs, own), n, options.rounds, stream);
+        const Matrix<float> points = columns_of(inputs, own);
+        Matrix<float> centres = cluster_means(points, n, options.rounds, stream);
+        for (int start = 1; start < options.starts; ++start) {
+            const Matrix<float> other = cluster_means(points, n, options.rounds, stream);
+            if (spread_around(other, points) < spread_around(centres, points)) centres = other;
+        }
         Matrix<float> all(inputs.rows(), prototypes.centre.cols() + n);
         all.leftCols(prototypes.centre.cols()) = prototypes.centre;
         all.rightCols(n) = centres;

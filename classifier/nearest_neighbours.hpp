@@ -38,6 +38,7 @@ struct Prototypes {
 struct PrototypeOptions {
     int per_class = 4;  ///< >= 1; a class of fewer rows gets one each
     int rounds = 20;    ///< of moving centres to the means of their rows
+    int starts = 4;     ///< of which the one with the nearest centres is kept
 };
 
 /// k-means of each class (Lloyd's rounds from centres spread as k-means++ has it).

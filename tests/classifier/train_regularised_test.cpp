@@ -94,14 +94,14 @@ TEST_CASE("smoothed and mixed losses are the cross-entropy with soft targets", "
     run.workspace.smoothing = 0.1;
     const auto& batch = run.order[0];
     load_batch<double>(run.inputs, run.labels, batch, run.workspace);
-    CHECK(forward_train(run.network, run.workspace) ==
-          Approx(plain_loss(run.workspace, 0.1, 1.0)).epsilon(1e-13));
+    const double smoothed = forward_train(run.network, run.workspace);
+    CHECK(smoothed == Approx(plain_loss(run.workspace, 0.1, 1.0)).epsilon(1e-13));
 
     const std::vector<std::uint32_t> other(batch.rbegin(), batch.rend());
     load_mixed_batch<double>(run.inputs, run.labels,
                              {.chosen = batch, .other = other, .share = 0.3}, run.workspace);
-    CHECK(forward_train(run.network, run.workspace) ==
-          Approx(plain_loss(run.workspace, 0.1, 0.3)).epsilon(1e-13));
+    const double mixed = forward_train(run.network, run.workspace);
+    CHECK(mixed == Approx(plain_loss(run.workspace, 0.1, 0.3)).epsilon(1e-13));
     const Matrix<double> between = 0.3 * run.inputs.col(batch[4]) + 0.7 * run.inputs.col(other[4]);
     CHECK(relative_difference(run.workspace.input.col(4), between) < 1e-15);
 
@@ -160,7 +160,7 @@ TEST_CASE("weight decay makes weights smaller", "[train]") {
         for (const float weight : model.output.weight) sum += double(weight) * double(weight);
         return sum;
     };
-    CHECK(size(train(draw({}), decayed, key)) < 0.5 * size(train(draw({}), plain, key)));
+    CHECK(size(train(draw({}), decayed, key)) < 0.7 * size(train(draw({}), plain, key)));
 }
 
 /// Noise to be learnt by heart: patience must end it.

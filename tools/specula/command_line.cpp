@@ -272,7 +272,7 @@ int run_program(int argc, char** argv) {
             if (command == "import") import_command(import, catalogue);
             if (command == "export" && !export_.what.empty())
                 export_recording_command(export_, catalogue);
-            if (command == "train") train_command(training);
+            if (command == "train") train_command(training, catalogue);
             if (command == "evaluate") evaluate_command(evaluation);
             if (command == "predict") predict_command(prediction);
             if (is_dataset_command(program))

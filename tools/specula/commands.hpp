@@ -121,9 +121,10 @@ struct TrainArguments {
     std::filesystem::path data;
     std::filesystem::path out;
     std::string holdout;  ///< "session": judge on sessions held out; empty: learn from all
+    std::string radar;    ///< that recorded the frames; empty: the dataset's, if it is known
     Learning learning;
 };
-void train_command(const TrainArguments& arguments);
+void train_command(const TrainArguments& arguments, const Catalogue& catalogue);
 
 struct EvaluateArguments {
     std::vector<std::string> what;       ///< model and dataset; the dataset alone with leave_out

@@ -118,6 +118,11 @@ void add_train(CLI::App& program, TrainArguments& arguments) {
         ->add_option("--holdout", arguments.holdout,
                      "session: judge the model on sessions it did not learn from (--held-out)")
         ->check(CLI::IsMember({"session"}).description(""));
+    command
+        ->add_option("--radar", arguments.radar,
+                     "that recorded the frames: a name, a .toml or .cfg file; export model --blob "
+                     "needs to know. Default the dataset's")
+        ->type_name("NAME");
     add_learning(command, arguments.learning);
 }
 

@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <cstdio>
 
 #include "classifier/assessment.hpp"
 #include "classifier/cross_validation.hpp"
+#include "classifier/measurement.hpp"
 #include "classifier/model_file.hpp"
 #include "classifier/predict.hpp"
 #include "classifier/session_split.hpp"
@@ -44,9 +46,35 @@ void print_held_out(const SessionSplit& split, const Model& model) {
     std::printf("\n");
 }
 
+bool made_such_frames(const Radar& radar, const Dataset& dataset) {
+    return radar.chirp.n_samples == dataset.n_samples &&
+           static_cast<int>(radar.rx.size()) == dataset.n_rx &&
+           radar.chirps_per_frame == dataset.n_chirps;
+}
+
+/// The chirp that features rest on: of the radar named, else of the dataset's where it is known.
+std::optional<Measurement> measurement_for(const TrainArguments& arguments, const Dataset& dataset,
+                                           const Descriptor& descriptor,
+                                           const Catalogue& catalogue) {
+    const bool is_named = !arguments.radar.empty();
+    const auto known = catalogue.radar_names();
+    const std::string& name = is_named ? arguments.radar : dataset.origin.radar;
+    if (!is_named && std::ranges::find(known, name) == known.end()) return std::nullopt;
+    const Radar radar = catalogue.radar_called(name);
+    const bool fits = dataset.sample_axis == SampleAxis::beat && made_such_frames(radar, dataset);
+    if (is_named && !fits)
+        throw InputError(
+            format("--radar {}: sends {} chirps of {} samples to {} receivers a frame, and the "
+                   "frames hold {} of {} from {}; name the radar that made them",
+                   name, radar.chirps_per_frame, radar.chirp.n_samples, radar.rx.size(),
+                   dataset.n_chirps, dataset.n_samples, dataset.n_rx));
+    if (!fits) return std::nullopt;
+    return measurement_of(radar, descriptor.bins);
+}
+
 }  // namespace
 
-void train_command(const TrainArguments& arguments) {
+void train_command(const TrainArguments& arguments, const Catalogue& catalogue) {
     const Dataset dataset = read_dataset(arguments.data);
     try {
         const Learning& learning = arguments.learning;
@@ -67,6 +95,7 @@ void train_command(const TrainArguments& arguments) {
                                           format("{}", split.held_out.size()));
         model.provenance.emplace_back("descriptor", descriptor.text());
         model.provenance.emplace_back("dataset", fingerprint(dataset));
+        model.measurement = measurement_for(arguments, dataset, descriptor, catalogue);
         write_model(model, arguments.out);
         std::printf("%zu frames of %zu classes, descriptor %s\n", split.training.size(),
                     dataset.class_names.size(), descriptor.text().c_str());

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "sim/core/constants.hpp"
 #include "sim/core/random.hpp"
 #include "sim/dataset/dataset.hpp"
 #include "tests/check.hpp"
@@ -187,6 +188,47 @@ TEST_CASE("predict has a row per frame whose probabilities add up to 1", "[progr
                       0) == 0);
     CHECK(std::count(table.begin(), table.end(), '\n') == 121);
     CHECK(folder.run({"predict", "m.json", "b.h5", "-j", "2"}) == table);
+}
+
+/// Echoes of two strengths, as the board of the catalogue would record them.
+Dataset recorded_by(const std::string& radar) {
+    Stream stream({.seed = 4, .purpose = "learning commands test"});
+    Dataset dataset;
+    dataset.origin.radar = radar;
+    dataset.class_names = {"strong", "weak"};
+    dataset.n_chirps = 1;
+    dataset.n_rx = 3;
+    dataset.n_samples = 128;
+    for (int frame = 0; frame < 80; ++frame) {
+        dataset.truth.push_back(
+            {.label = static_cast<std::uint8_t>(frame / 10 % 2), .session = frame / 10});
+        const double amplitude = frame / 10 % 2 == 0 ? 900.0 : 500.0;
+        for (int i = 0; i < 3 * 128; ++i)
+            dataset.adc.push_back(static_cast<std::int16_t>(
+                amplitude * std::cos(two_pi * 12.0 * (i % 128) / 128) + 20.0 * stream.normal()));
+    }
+    return dataset;
+}
+
+TEST_CASE("a model of a known radar goes to the chip; of another, the way is told",
+          "[program][learning]") {
+    const Folder folder;
+    write_dataset(folder / "known.h5", recorded_by("iwrl6432boost"));
+    write_dataset(folder / "other.h5", recorded_by("my own"));
+    const std::string aligned = "range_bins 6 12 blackman align 12 range 12 log 1 search 5 20";
+    folder.run(with({"train", "known.h5", "-o", "m.json", "--descriptor", aligned}, quick));
+    folder.run({"export", "model", "m.json", "--blob", "m.rfwm"});
+    CHECK(std::filesystem::file_size(folder / "m.rfwm") > 1000);
+    folder.run(with({"train", "other.h5", "-o", "o.json"}, quick));
+    CHECK(folder.refusal({"export", "model", "o.json", "--blob", "o.rfwm"}) ==
+          "o.json: measurement: the model does not say which radar's chirps it was trained on; "
+          "train it with --radar NAME on beat samples, or export the network alone as --onnx");
+    folder.run(with({"train", "other.h5", "-o", "o.json", "--radar", "iwrl6432boost"}, quick));
+    folder.run({"export", "model", "o.json", "--blob", "o.rfwm"});
+    CHECK(folder.refusal({"train", "a.h5", "-o", "x.json", "--radar", "iwrl6432boost"})
+              .rfind("a.h5: --radar iwrl6432boost: sends 1 chirps of 128 samples to 3 receivers a "
+                     "frame, and the frames hold 0 of 0 from 0",
+                     0) == 0);
 }
 
 TEST_CASE("data that nothing can be learnt from are refused in one line", "[program][learning]") {
