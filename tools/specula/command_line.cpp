@@ -17,6 +17,7 @@
 #include "tools/specula/commands.hpp"
 #include "tools/specula/firmware_options.hpp"
 #include "tools/specula/home.hpp"
+#include "tools/specula/serve_options.hpp"
 #include "tools/specula/sweep_options.hpp"
 
 namespace specula {
@@ -216,6 +217,9 @@ int run_program(int argc, char** argv) {
     add_calibrate(program, calibration);
     LikenessArguments likeness;
     add_likeness(program, likeness);
+    ServeArguments serving;
+    serving.threads = available_threads();
+    add_serve(program, serving);
     std::string listed, shell = "bash";
     add_command(program, "list", "List what is known by name", "specula list materials")
         ->add_option("KIND", listed, "materials, radars, experiments or sweeps")
@@ -244,6 +248,7 @@ int run_program(int argc, char** argv) {
             if (command == "calibrate") calibrate_command(calibration, catalogue);
             if (command == "likeness") likeness_command(likeness, catalogue);
             if (command == "validate") status = validate_command(validation, catalogue);
+            if (command == "serve") serve_command(serving, catalogue);
             if (command == "import") import_command(import, catalogue);
             if (command == "export" && !export_.what.empty())
                 export_recording_command(export_, catalogue);
