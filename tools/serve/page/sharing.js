@@ -7,13 +7,26 @@ const WIDTH = 1280;
 const COLUMNS = 2;
 const HEAD = 96;
 
+/** The plot's legend as a row of patches and texts. */
+function legend(plot, y) {
+  let x = 60;
+  return [...plot.legend.children].flatMap((entry) => {
+    const patch = entry.firstChild.className;
+    const parts = patch === 'ring' ? [shape('circle', { class: 'ring', cx: x + 5, cy: y - 4, r: 4 })]
+      : [shape('rect', { class: patch, x, y: y - 9, width: 10, height: 10, rx: 2 })];
+    parts.push(shape('text', { class: 'tick', x: x + 15, y }, entry.textContent));
+    x += 30 + 6.6 * entry.textContent.length;
+    return parts;
+  });
+}
+
 /** All plots as one figure that stands alone, in the light colours. */
 async function figureSvg(charts, subtitle) {
   const css = await (await fetch('chart.css')).text();
   const theme = await (await fetch('theme.css')).text();
   const light = theme.match(/:root \{[^}]*\}/)[0];
   const cell = WIDTH / COLUMNS;
-  const tall = 300;
+  const tall = 310;
   const rows = Math.ceil(charts.length / COLUMNS);
   const svg = shape('svg', { xmlns: 'http://www.w3.org/2000/svg', width: WIDTH, height: HEAD + rows * tall, viewBox: `0 0 ${WIDTH} ${HEAD + rows * tall}` });
   svg.append(shape('style', {}, `${light} text { font-family: Helvetica, Arial, sans-serif; } ${css}`),
@@ -25,8 +38,8 @@ async function figureSvg(charts, subtitle) {
     place.append(shape('text', { x: 40, y: 16, 'font-size': 15, 'font-weight': 700 }, plot.words.title),
       shape('text', { x: cell - 36, y: 16, 'font-size': 13, fill: '#4d4d4d', 'text-anchor': 'end' }, plot.reading.textContent));
     const drawn = plot.svg.cloneNode(true);
-    for (const [key, value] of Object.entries({ y: 24, width: cell - 24, height: tall - 40, preserveAspectRatio: 'xMidYMid meet' })) drawn.setAttribute(key, value);
-    place.append(drawn);
+    for (const [key, value] of Object.entries({ y: 24, width: cell - 24, height: tall - 52, preserveAspectRatio: 'xMidYMid meet' })) drawn.setAttribute(key, value);
+    place.append(drawn, ...legend(plot, tall - 8));
     svg.append(place);
   });
   return new XMLSerializer().serializeToString(svg);
@@ -56,7 +69,7 @@ export class Sharing {
   }
 
   open() {
-    document.getElementById('link').value = `${location.href.split('#')[0]}#${this.state.fragment()}`;
+    document.getElementById('link').value = [location.href.split('#')[0], this.state.fragment()].filter(Boolean).join('#');
     for (const axis of ['tilt', 'height']) {
       document.getElementById(`sweep-${axis}`).value = this.charts[`${axis}Curve`]?.command ?? '';
     }

@@ -5,17 +5,26 @@ import { OrbitControls } from './three/examples/jsm/controls/OrbitControls.js';
 
 const MM = 0.01;
 const RAD = Math.PI / 180;
-const LOOKS = {
-  metals: [0xaeb6c2, 0.85, 0.35], 'wood and boards': [0xb98a55, 0, 0.8], plastics: [0xbfe3f2, 0, 0.15], stone: [0xcfc6b4, 0, 0.9],
+const CLEAR = 0xbfe3f2;
+const COLOURS = {  // by group
+  metal: 0xaeb6c2, wood: 0xb98a55, plastic: 0xe9ecef, stone: 0xcfc6b4, building: 0xc3bdb3, glass: CLEAR, water: 0x6fa8d6, tissue: 0xd9a08c, soil: 0x8a6a4c,
 };
-const SPECIAL = { iron: [0x6f7680, 0.85, 0.45], plexiglass: [0xbfe3f2, 0, 0.1], glass: [0xbfe3f2, 0, 0.1], float_glass: [0xbfe3f2, 0, 0.1] };
+const SPECIAL = { iron: 0x6f7680, plexiglass: CLEAR, polycarbonate: CLEAR };
+
+/** Without a graphics processor every pixel costs: then edges are left jagged. */
+function drawsInSoftware() {
+  const gl = document.createElement('canvas').getContext('webgl');
+  const facts = gl && gl.getExtension('WEBGL_debug_renderer_info');
+  return Boolean(facts) && /swiftshader|llvmpipe|software/i.test(gl.getParameter(facts.UNMASKED_RENDERER_WEBGL));
+}
 
 export class View3d {
   constructor(canvas, facts) {
     this.canvas = canvas;
     this.facts = facts;
-    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true });
-    this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
+    const slow = drawsInSoftware();
+    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: !slow, alpha: true });
+    this.renderer.setPixelRatio(slow ? 1 : Math.min(2, window.devicePixelRatio));
     this.scene = new THREE.Scene();
     this.camera = new THREE.PerspectiveCamera(32, 1, 0.1, 200);
     this.camera.up.set(0, 0, 1);
@@ -45,7 +54,7 @@ export class View3d {
     this.scene.add(this.grid);
     this.sensor = this.makeSensor();
     this.sample = new THREE.Group();
-    this.plate = new THREE.Mesh(new THREE.BufferGeometry(), new THREE.MeshStandardMaterial({ side: THREE.DoubleSide }));
+    this.plate = new THREE.Mesh(new THREE.BufferGeometry(), new THREE.MeshLambertMaterial({ side: THREE.DoubleSide }));
     this.rim = new THREE.LineLoop(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ color: 0x3c4658 }));
     this.zone = new THREE.Mesh(new THREE.RingGeometry(0.9, 1, 64), new THREE.MeshBasicMaterial({ side: THREE.DoubleSide, depthTest: false }));
     this.disc = new THREE.Mesh(new THREE.CircleGeometry(1, 64), new THREE.MeshBasicMaterial({ side: THREE.DoubleSide, transparent: true, opacity: 0.28, depthTest: false }));
@@ -59,11 +68,11 @@ export class View3d {
   /** Board, patches, and a beam as wide as the antennas' -6 dB, 60 by 35 degrees to either side. */
   makeSensor() {
     const sensor = new THREE.Group();
-    const board = new THREE.Mesh(new THREE.BoxGeometry(0.62, 0.9, 0.06), new THREE.MeshStandardMaterial({ color: 0x9b2335, roughness: 0.6 }));
+    const board = new THREE.Mesh(new THREE.BoxGeometry(0.62, 0.9, 0.06), new THREE.MeshLambertMaterial({ color: 0x9b2335 }));
     board.position.z = 0.05;
-    const chip = new THREE.Mesh(new THREE.BoxGeometry(0.2, 0.2, 0.05), new THREE.MeshStandardMaterial({ color: 0x20242c }));
+    const chip = new THREE.Mesh(new THREE.BoxGeometry(0.2, 0.2, 0.05), new THREE.MeshLambertMaterial({ color: 0x20242c }));
     chip.position.z = 0.1;
-    const gold = new THREE.MeshStandardMaterial({ color: 0xe0b252, metalness: 0.4, roughness: 0.4 });
+    const gold = new THREE.MeshLambertMaterial({ color: 0xe0b252 });
     for (const x of [-0.18, 0.06, 0.13, 0.2]) {
       const patch = new THREE.Mesh(new THREE.BoxGeometry(0.05, 0.07, 0.02), gold);
       patch.position.set(x, 0, 0.01);
@@ -100,10 +109,9 @@ export class View3d {
 
   paint(material) {
     const { group } = this.facts.materials.find((each) => each.name === material) ?? {};
-    const [colour, metalness, roughness] = SPECIAL[material] ?? LOOKS[group] ?? [0xb9b2a6, 0, 0.85];
-    this.plate.material.setValues({ color: colour, metalness: metalness * 0.3, roughness });
-    this.plate.material.transparent = colour === 0xbfe3f2;
-    this.plate.material.opacity = colour === 0xbfe3f2 ? 0.55 : 1;
+    const colour = SPECIAL[material] ?? COLOURS[group] ?? 0xb9b2a6;
+    this.plate.material.setValues({ transparent: colour === CLEAR, opacity: colour === CLEAR ? 0.55 : 1 });
+    this.plate.material.color.setHex(colour);
   }
 
   show(values, foot) {
@@ -163,7 +171,11 @@ export class View3d {
     this.render();
   }
 
+  /** Once for each picture of the screen, however often it is called. */
   render() {
-    this.renderer.render(this.scene, this.camera);
+    this.frame ??= requestAnimationFrame(() => {
+      this.frame = undefined;
+      this.renderer.render(this.scene, this.camera);
+    });
   }
 }
