@@ -5,6 +5,7 @@
 
 #include "scenes/sample_layers.hpp"
 #include "scenes/scene_checks.hpp"
+#include "scenes/scene_text.hpp"
 #include "scenes/shape.hpp"
 #include "sim/core/constants.hpp"
 #include "sim/core/format.hpp"
@@ -89,8 +90,9 @@ std::string blind_reason(const Radar& radar, double height_m) {
     return "";
 }
 
-Scene read_scene(const std::filesystem::path& file, const Catalogue& catalogue) {
-    Section section = Section::read(file);
+namespace {
+
+Scene scene_of(Section section, const Catalogue& catalogue) {
     Scene scene;
     scene.radar = catalogue.radar(section, "radar");
     read_sample(section.section("sample"), catalogue, scene);
@@ -109,6 +111,17 @@ Scene read_scene(const std::filesystem::path& file, const Catalogue& catalogue) 
     if (auto motion = section.find_section("motion")) scene.motion = Motion::read(*motion);
     section.finish();
     return scene;
+}
+
+}  // namespace
+
+Scene read_scene(const std::filesystem::path& file, const Catalogue& catalogue) {
+    return scene_of(Section::read(file), catalogue);
+}
+
+Scene read_scene_text(const std::string& text, const std::string& name,
+                      const Catalogue& catalogue) {
+    return scene_of(Section::parse(text, name), catalogue);
 }
 
 std::vector<BandWarning> band_warnings(const Scene& scene, const Library& library) {

@@ -97,6 +97,7 @@ const std::vector<Door> doors{
     {{"spdlog/"}, {"tools/console/console.cpp"}, false},
     {{"fmt/"}, {"sim/core/format.hpp"}, false},
     {{"Random123/"}, {"sim/core/random.cpp"}, false},
+    {{"microhttpd"}, {"tools/serve/http_server.cpp"}, false},
     {{"Eigen/", "unsupported/Eigen/"},
      {"classifier/", "scenes/vector3.hpp", "tools/likeness/least_squares.cpp"},
      false},

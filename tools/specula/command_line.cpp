@@ -20,6 +20,7 @@
 #include "tools/specula/firmware_options.hpp"
 #include "tools/specula/home.hpp"
 #include "tools/specula/learning_options.hpp"
+#include "tools/specula/serve_options.hpp"
 #include "tools/specula/sweep_options.hpp"
 
 namespace specula {
@@ -238,6 +239,9 @@ int run_program(int argc, char** argv) {
     add_likeness(program, likeness);
     DatasetArguments datasets;
     add_dataset_commands(program, datasets);
+    ServeArguments serving;
+    serving.threads = available_threads();
+    add_serve(program, serving);
     std::string listed, shell = "bash";
     add_command(program, "list", "List what is known by name", "specula list materials")
         ->add_option("KIND", listed, "materials, radars, experiments, datasets or sweeps")
@@ -269,6 +273,7 @@ int run_program(int argc, char** argv) {
             if (command == "likeness") likeness_command(likeness, catalogue);
             if (command == "validate") status = validate_command(validation, catalogue);
             if (command == "bench") bench_command(bench, catalogue);
+            if (command == "serve") serve_command(serving, catalogue);
             if (command == "import") import_command(import, catalogue);
             if (command == "export" && !export_.what.empty())
                 export_recording_command(export_, catalogue);

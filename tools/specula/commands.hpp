@@ -184,6 +184,14 @@ struct LikenessArguments {
 };
 void likeness_command(const LikenessArguments& arguments, const Catalogue& catalogue);
 
+struct ServeArguments {
+    std::string listen = "127.0.0.1";  ///< address in numbers
+    int port = 8060;                   ///< 0: any free one
+    int threads = 1;
+};
+/// Serves the teaching page until Ctrl-C or SIGTERM.
+void serve_command(const ServeArguments& arguments, const Catalogue& catalogue);
+
 /// @in shell  "bash" or "zsh"
 void completion_command(const std::string& shell, const std::vector<std::string>& commands);
 
