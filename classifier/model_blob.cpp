@@ -51,11 +51,22 @@ class BlobWriter {
     std::vector<std::uint8_t> bytes_;
 };
 
+/// What a model was trained on, as far as it says.
+std::string description_of(const Model& model) {
+    for (const auto& [what, value] : model.provenance)
+        if (what == "descriptor") return value;
+    return model.extractor;
+}
+
 void check(const Model& model) {
     if (!model.measurement)
         throw InputError(
-            "measurement: the model does not say which chirp and bins it was trained on; "
-            "train it again, or export it as --onnx");
+            format("measurement: is missing, and the firmware refuses to run a model that does not "
+                   "say which chirp and range bins it was trained on (here: {}); train on range "
+                   "bins of a dataset whose radar the catalogue knows (specula show DATASET; an "
+                   "import takes radar = \"NAME\" from its manifest), take a model of specula "
+                   "study, or export it as --onnx",
+                   description_of(model)));
     if (model.n_features() > FW_MODEL_MAX_FEATURES)
         throw InputError(
             format("input_mean = [{} values]: more features than the firmware takes; "
@@ -90,6 +101,20 @@ void write_chirp(const fw_chirp& chirp, BlobWriter& out) {
         out.u16(value);
 }
 
+/// Numbers that no step uses are 0, and then the peak is looked for nowhere but in the descriptor.
+void write_normalisation(const Measurement& measurement, BlobWriter& out) {
+    const fw_normalise_config& normalise = measurement.normalise;
+    const bool uses_peak = normalise.align || normalise.compensate_range;
+    const bool searches = uses_peak && measurement.n_search > 0;
+    out.u16(static_cast<std::uint16_t>((normalise.align ? 1 : 0) |
+                                       (normalise.compensate_range ? 2 : 0) |
+                                       (normalise.logarithm ? 4 : 0)));
+    out.f32(uses_peak ? normalise.target_bin : 0.0f);
+    out.f32(normalise.logarithm ? normalise.floor_lsb : 0.0f);
+    out.u16(searches ? measurement.search_first : measurement.descriptor.first_bin);
+    out.u16(searches ? measurement.n_search : measurement.descriptor.n_bins);
+}
+
 struct NetworkFacts {
     std::vector<std::uint16_t> widths;
     float input_levels = 0.0f;
@@ -109,11 +134,7 @@ void write_facts(const Model& model, fw_arithmetic arithmetic, const NetworkFact
     out.u16(static_cast<std::uint16_t>(descriptor.window));
     out.u16(static_cast<std::uint16_t>(descriptor.integration));
     out.u16(static_cast<std::uint16_t>(descriptor.path));
-    out.u16(0);  // normalisation: this program trains on amplitudes as they are
-    out.f32(0.0f);
-    out.f32(0.0f);
-    out.u16(descriptor.first_bin);
-    out.u16(descriptor.n_bins);
+    write_normalisation(*model.measurement, out);
     write_chirp(model.measurement->chirp, out);
     for (std::size_t l = 0; l < FW_MLP_MAX_LAYERS; ++l)
         out.u16(l < network.widths.size() ? network.widths[l] : 0);
@@ -159,9 +180,11 @@ void expect_opens(const std::vector<std::uint8_t>& blob) {
     const fw_status status = fw_model_open(blob.data(), blob.size(), &opened);
     if (status != FW_OK)
         throw InputError(
-            format("measurement: the firmware refuses this model ({}); its numbers "
-                   "or bins are out of range",
-                   fw_status_name(status)));
+            format("the firmware refuses this model with {}: {}", fw_status_name(status),
+                   status == FW_ERR_NAME ? "class_names: give each class a name of its own in UTF-8"
+                   : status == FW_ERR_VALUE
+                       ? "input_scale, weights or monitor: a number is out of range; train it again"
+                       : "measurement: bins or chirp are out of its range (firmware/fw_model.h)"));
 }
 
 }  // namespace
