@@ -65,7 +65,11 @@ std::string banner(const Model& model) {
     text += " * extractor: " + comment_line(model.extractor) + "\n";
     for (const auto& [what, value] : model.provenance)
         text += " * " + comment_line(what + ": " + value) + "\n";
-    return text + " */\n";
+    text +=
+        " *\n * The bare network, for fw_mlp_run: no checksum, no chirp to compare, no monitors. "
+        "For a\n"
+        " * device take the model's blob instead: specula export model MODEL --c FILE. */\n";
+    return text;
 }
 
 std::string header_text(const Model& model, const std::string& symbol) {

@@ -52,11 +52,22 @@ class BlobWriter {
     std::vector<std::uint8_t> bytes_;
 };
 
+/// What a model was trained on, as far as it says.
+std::string description_of(const Model& model) {
+    for (const auto& [what, value] : model.provenance)
+        if (what == "descriptor") return value;
+    return model.extractor;
+}
+
 void check(const Model& model) {
     if (!model.measurement)
         throw InputError(
-            "measurement: the model does not say which radar's chirps it was trained on; train it "
-            "with --radar NAME on beat samples, or export the network alone as --onnx");
+            format("measurement: is missing, and the firmware refuses to run a model that does not "
+                   "say which chirp and range bins it was trained on (here: {}); train on range "
+                   "bins of a dataset whose radar the catalogue knows (specula show DATASET; an "
+                   "import takes radar = \"NAME\" from its manifest) or with --radar NAME, take a model of specula "
+                   "study, or export it as --onnx",
+                   description_of(model)));
     if (model.n_features() > FW_MODEL_MAX_FEATURES)
         throw InputError(
             format("input_mean = [{} values]: more features than the firmware takes; "
@@ -88,14 +99,6 @@ void check(const Model& model) {
                    descriptor.text()));
 }
 
-void write_normalisation(const Descriptor& descriptor, BlobWriter& out) {
-    const fw_normalise_config& steps = descriptor.normalise;
-    out.u16(static_cast<std::uint16_t>((steps.align ? 1 : 0) + (steps.compensate_range ? 2 : 0) +
-                                       (steps.logarithm ? 4 : 0)));
-    out.f32(steps.target_bin);
-    out.f32(steps.floor_lsb);
-}
-
 void write_chirp(const fw_chirp& chirp, BlobWriter& out) {
     out.u32(chirp.start_khz);
     out.u32(static_cast<std::uint32_t>(chirp.slope_khz_us));
@@ -104,6 +107,20 @@ void write_chirp(const fw_chirp& chirp, BlobWriter& out) {
          {chirp.n_samples, chirp.skip_samples, chirp.n_rx, chirp.n_chirps, chirp.high_pass_hz_10,
           static_cast<std::uint16_t>(chirp.gain_db_100), chirp.adc_bits})
         out.u16(value);
+}
+
+/// Numbers that no step uses are 0, and then the peak is looked for nowhere but in the descriptor.
+void write_normalisation(const Descriptor& descriptor, const fw_extract_config& bins,
+                         BlobWriter& out) {
+    const fw_normalise_config& steps = descriptor.normalise;
+    const bool uses_peak = descriptor.uses_peak();
+    out.u16(static_cast<std::uint16_t>((steps.align ? 1 : 0) | (steps.compensate_range ? 2 : 0) |
+                                       (steps.logarithm ? 4 : 0)));
+    out.f32(uses_peak ? steps.target_bin : 0.0f);
+    out.f32(steps.logarithm ? steps.floor_lsb : 0.0f);
+    const BinChoice search = uses_peak ? descriptor.profile() : BinChoice{int{bins.first_bin}, int{bins.n_bins}};
+    out.u16(static_cast<std::uint16_t>(search.first));
+    out.u16(static_cast<std::uint16_t>(search.count));
 }
 
 struct NetworkFacts {
@@ -125,13 +142,7 @@ void write_facts(const Model& model, fw_arithmetic arithmetic, const NetworkFact
     out.u16(static_cast<std::uint16_t>(descriptor.window));
     out.u16(static_cast<std::uint16_t>(descriptor.integration));
     out.u16(static_cast<std::uint16_t>(descriptor.path));
-    const Descriptor trained_on = descriptor_of(model);
-    write_normalisation(trained_on, out);
-    const BinChoice search = trained_on.uses_peak()
-                                 ? trained_on.profile()
-                                 : BinChoice{descriptor.first_bin, descriptor.n_bins};
-    out.u16(static_cast<std::uint16_t>(search.first));
-    out.u16(static_cast<std::uint16_t>(search.count));
+    write_normalisation(descriptor_of(model), descriptor, out);
     write_chirp(model.measurement->chirp, out);
     for (std::size_t l = 0; l < FW_MLP_MAX_LAYERS; ++l)
         out.u16(l < network.widths.size() ? network.widths[l] : 0);
@@ -177,9 +188,11 @@ void expect_opens(const std::vector<std::uint8_t>& blob) {
     const fw_status status = fw_model_open(blob.data(), blob.size(), &opened);
     if (status != FW_OK)
         throw InputError(
-            format("measurement: the firmware refuses this model ({}); its numbers "
-                   "or bins are out of range",
-                   fw_status_name(status)));
+            format("the firmware refuses this model with {}: {}", fw_status_name(status),
+                   status == FW_ERR_NAME ? "class_names: give each class a name of its own in UTF-8"
+                   : status == FW_ERR_VALUE
+                       ? "input_scale, weights or monitor: a number is out of range; train it again"
+                       : "measurement: bins or chirp are out of its range (firmware/fw_model.h)"));
 }
 
 }  // namespace

@@ -30,7 +30,12 @@ typedef struct row_plan {
     fw_window_shape window;
     void* scratch;
     size_t scratch_bytes;
+    uint32_t* n_saturated;
 } row_plan;
+
+static uint32_t at_limit(int16_t value) {
+    return value == INT16_MAX || value == INT16_MIN ? 1 : 0;
+}
 
 static fw_status hwa_row(const row_plan* plan, const int16_t samples[], float amplitude[]) {
     const fw_hwa_config config = {.n_samples = plan->range.n_samples,
@@ -38,13 +43,16 @@ static fw_status hwa_row(const row_plan* plan, const int16_t samples[], float am
                                   .scaled_stages = FW_HWA_DEFAULT_SCALED_STAGES,
                                   .output_shift = FW_HWA_DEFAULT_OUTPUT_SHIFT};
     int16_t* const im_re = plan->scratch;
+    fw_hwa_saturation cut;
     const fw_status status =
-        fw_hwa_fft(samples, &config, plan->scratch, plan->scratch_bytes, im_re, NULL);
+        fw_hwa_fft(samples, &config, plan->scratch, plan->scratch_bytes, im_re, &cut);
     if (status != FW_OK) return status;
+    *plan->n_saturated += cut.in_stages;
     const float scale = 2.0f * HWA_DIVISOR / plan->window.sum;
     const int16_t* bin = im_re + 2 * plan->range.first_bin;
     for (size_t k = 0; k < plan->range.n_bins; ++k, bin += 2) {
         const float im = bin[0], re = bin[1];
+        *plan->n_saturated += at_limit(bin[0]) + at_limit(bin[1]);
         amplitude[k] = sqrtf(re * re + im * im) * scale;
     }
     return FW_OK;
@@ -86,20 +94,28 @@ size_t fw_extract_scratch(const fw_frame* frame) {
 
 fw_status fw_extract(const fw_frame* frame, const fw_extract_config* config, void* scratch,
                      size_t scratch_bytes, float out[]) {
+    uint32_t n_saturated;
+    return fw_extract_counted(frame, config, scratch, scratch_bytes, out, &n_saturated);
+}
+
+fw_status fw_extract_counted(const fw_frame* frame, const fw_extract_config* config, void* scratch,
+                             size_t scratch_bytes, float out[], uint32_t* n_saturated) {
     if (frame == NULL || config == NULL || scratch == NULL || out == NULL) return FW_ERR_NULL;
-    if (frame->samples == NULL) return FW_ERR_NULL;
+    if (frame->samples == NULL || n_saturated == NULL) return FW_ERR_NULL;
     const size_t needed_bytes = fw_extract_scratch(frame);
     if (needed_bytes == 0) return FW_ERR_SHAPE;
     if (!fw_scratch_fits(scratch, scratch_bytes, needed_bytes)) return FW_ERR_SCRATCH;
     const uint32_t n_rows = rows_used(frame, config->integration);
     if (n_rows == 0) return FW_ERR_CONFIG;
 
+    uint32_t n_cut = 0;
     row_plan plan = {.range = {.n_samples = frame->n_samples,
                                .first_bin = config->first_bin,
                                .n_bins = config->n_bins,
                                .window = config->window},
                      .scratch = scratch,
-                     .scratch_bytes = fw_hwa_fft_scratch(frame->n_samples)};
+                     .scratch_bytes = fw_hwa_fft_scratch(frame->n_samples),
+                     .n_saturated = &n_cut};
     const fw_status refused = check_plan(config, &plan);
     if (refused != FW_OK) return refused;
 
@@ -116,5 +132,6 @@ fw_status fw_extract(const fw_frame* frame, const fw_extract_config* config, voi
     if (config->integration == FW_INTEGRATE_EXPORTED) {
         round_as_exported(&plan.window, out, config->n_bins);
     }
+    *n_saturated = n_cut;
     return FW_OK;
 }

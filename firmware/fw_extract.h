@@ -56,6 +56,15 @@ size_t fw_extract_scratch(const fw_frame* frame);
 fw_status fw_extract(const fw_frame* frame, const fw_extract_config* config, void* scratch,
                      size_t scratch_bytes, float out[]);
 
+/* fw_extract, which also says how much of the descriptor is wrong because integers were cut off.
+ *
+ * n_saturated  out: of all rows used, values beyond 24 bits in a stage, and real and imaginary
+ *              parts at a limit of int16 in bins of the descriptor (a part that is exactly 32767
+ *              counts too). Always 0 with FW_RANGE_FLOAT, which has no limits
+ * Errors and time as above; FW_ERR_NULL too if n_saturated is NULL. */
+fw_status fw_extract_counted(const fw_frame* frame, const fw_extract_config* config, void* scratch,
+                             size_t scratch_bytes, float out[], uint32_t* n_saturated);
+
 #ifdef __cplusplus
 }
 #endif

@@ -67,3 +67,15 @@ const uint32_t fw_golden_logits_int8[5] = {
 const uint32_t fw_golden_probabilities[5] = {
     0x3bd806edu, 0x3efc6da4u, 0x3c9e89beu, 0x3ea8727bu, 0x3e1bae53u,
 };
+
+const uint32_t fw_golden_subnormal_in[2] = {
+    0x0da66666u, 0x49d9999au,
+};
+
+const uint32_t fw_golden_subnormal_weight[4] = {
+    0x2f8ccccdu, 0x00000000u, 0x00000000u, 0x000003cdu,
+};
+
+const uint32_t fw_golden_subnormal_logits[2] = {
+    0x0002dc29u, 0x044ec334u,
+};

@@ -16,6 +16,7 @@ extern "C" {
 #define FW_GOLDEN_N_IN 12
 #define FW_GOLDEN_N_HIDDEN 6
 #define FW_GOLDEN_N_OUT 5
+#define FW_GOLDEN_N_SUBNORMAL 2
 #define FW_GOLDEN_SHIFT 40
 #define FW_GOLDEN_INPUT_LEVELS 16.0f
 
@@ -39,6 +40,13 @@ extern const uint32_t fw_golden_logits[FW_GOLDEN_N_OUT];
 extern const uint32_t fw_golden_logits_int16[FW_GOLDEN_N_OUT];
 extern const uint32_t fw_golden_logits_int8[FW_GOLDEN_N_OUT];
 extern const uint32_t fw_golden_probabilities[FW_GOLDEN_N_OUT];
+
+/* A layer (out, in) without bias: its first sum is subnormal and made of normal numbers, its second
+ * is normal and has a subnormal weight in it. */
+extern const uint32_t fw_golden_subnormal_in[FW_GOLDEN_N_SUBNORMAL];
+extern const uint32_t
+    fw_golden_subnormal_weight[FW_GOLDEN_N_SUBNORMAL * FW_GOLDEN_N_SUBNORMAL];
+extern const uint32_t fw_golden_subnormal_logits[FW_GOLDEN_N_SUBNORMAL];
 
 #ifdef __cplusplus
 }

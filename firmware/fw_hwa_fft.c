@@ -125,7 +125,7 @@ size_t fw_hwa_fft_scratch(uint16_t n_samples) {
 }
 
 fw_status fw_hwa_fft(const int16_t samples[], const fw_hwa_config* config, void* scratch,
-                     size_t scratch_bytes, int16_t im_re[], uint32_t* n_saturated) {
+                     size_t scratch_bytes, int16_t im_re[], fw_hwa_saturation* saturation) {
     if (samples == NULL || config == NULL || scratch == NULL || im_re == NULL) return FW_ERR_NULL;
     fw_window_shape window;
     const fw_status found = fw_window_find(config->window, config->n_samples, &window);
@@ -139,15 +139,15 @@ fw_status fw_hwa_fft(const int16_t samples[], const fw_hwa_config* config, void*
     }
 
     int32_t* const data = scratch;
-    uint32_t count = 0;
+    fw_hwa_saturation cut = {0};
     load(&window, samples, n, data);
-    transform(data, n, config->scaled_stages, &count);
+    transform(data, n, config->scaled_stages, &cut.in_stages);
     /* Results are narrower than data: written from the front, they overtake nothing unread. */
     for (size_t k = 0; k < n / 2; ++k) {
         const int32_t re = data[2 * k], im = data[2 * k + 1];
-        im_re[2 * k] = output(im, config->output_shift, &count);
-        im_re[2 * k + 1] = output(re, config->output_shift, &count);
+        im_re[2 * k] = output(im, config->output_shift, &cut.at_output);
+        im_re[2 * k + 1] = output(re, config->output_shift, &cut.at_output);
     }
-    if (n_saturated != NULL) *n_saturated = count;
+    if (saturation != NULL) *saturation = cut;
     return FW_OK;
 }

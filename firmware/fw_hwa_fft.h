@@ -33,9 +33,20 @@ typedef struct fw_hwa_config {
     uint16_t output_shift;
 } fw_hwa_config;
 
-/* What TI's demo sets for up to 512 samples: no stage scaled, results divided by 4. */
+/* What TI's demo sets for up to 512 samples: no stage scaled, results divided by 4. A tone of A LSB
+ * at the centre of a bin gives A * sum(w) / 8 there, and an offset twice that in bin 0; from 32768
+ * on the output saturates. README.md says which amplitudes that are. */
 #define FW_HWA_DEFAULT_SCALED_STAGES 0
 #define FW_HWA_DEFAULT_OUTPUT_SHIFT 2
+
+/* Values that met a limit and were cut off. One in a stage spoils every bin, one at the output its
+ * own bin alone.
+ *
+ * in_stages  beyond 24 bits, in a stage that was not scaled; impossible with codes of 12 bits
+ * at_output  beyond int16: real and imaginary parts of the results */
+typedef struct fw_hwa_saturation {
+    uint32_t in_stages, at_output;
+} fw_hwa_saturation;
 
 /* Bytes of scratch fw_hwa_fft needs: 8 per point of the transform. 0 if n_samples is unsupported.
  * Time: constant. */
@@ -47,15 +58,15 @@ size_t fw_hwa_fft_scratch(uint16_t n_samples);
  * scratch      scratch_bytes >= fw_hwa_fft_scratch(n_samples), aligned to 4
  * im_re        out: (fft size / 2, 2), imaginary part first; sum(w samples exp(..)) / 2^shift, with
  *              one more halving per scaled stage. May be the first bytes of scratch
- * n_saturated  out: values that met a limit, in the stages or at the output; or NULL
+ * saturation   out: what was cut off, over all bins; or NULL
  *
- * FW_ERR_NULL     a pointer other than n_saturated is NULL
+ * FW_ERR_NULL     a pointer other than saturation is NULL
  * FW_ERR_SHAPE    n_samples out of range, or the window not tabulated for it
  * FW_ERR_CONFIG   no such window, stage or shift
  * FW_ERR_SCRATCH  scratch too small or misaligned
  * Time: fft size / 2 * log2(fft size) butterflies. */
 fw_status fw_hwa_fft(const int16_t samples[], const fw_hwa_config* config, void* scratch,
-                     size_t scratch_bytes, int16_t im_re[], uint32_t* n_saturated);
+                     size_t scratch_bytes, int16_t im_re[], fw_hwa_saturation* saturation);
 
 #ifdef __cplusplus
 }

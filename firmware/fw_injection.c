@@ -37,10 +37,10 @@ fw_status fw_injection_open(const void* bytes, size_t n_bytes, fw_injection* inj
     /* 10 + 16 + 16 bits, and one for the two bytes: no product overflows. */
     const uint64_t frame_bytes =
         (uint64_t)found.n_samples * found.n_rx * found.n_chirps * sizeof(int16_t);
-    const uint64_t payload = n_bytes - FW_INJECTION_HEADER_BYTES;
-    if (payload / frame_bytes != found.n_frames || payload % frame_bytes != 0) {
-        return FW_ERR_LENGTH;
-    }
+    const size_t payload = n_bytes - FW_INJECTION_HEADER_BYTES;
+    if (frame_bytes > payload) return FW_ERR_LENGTH;
+    const size_t one = (size_t)frame_bytes; /* fits: no 64-bit division, which is no instruction */
+    if (payload / one != found.n_frames || payload % one != 0) return FW_ERR_LENGTH;
     found.samples = (const int16_t*)bytes + FW_INJECTION_HEADER_BYTES / sizeof(int16_t);
     *injection = found;
     return FW_OK;

@@ -51,18 +51,35 @@ static bool all_there(const fw_int_mlp* mlp) {
     return true;
 }
 
+/* An input in steps, half a step further from 0: cut off towards 0, that is rounding. */
+static inline float level_of(const fw_int_mlp* mlp, const float features[], size_t i) {
+    const float x = (features[i] - mlp->input_mean[i]) * mlp->input_scale[i];
+    const float level = x * mlp->input_levels;
+    return level + (level < 0.0f ? -0.5f : 0.5f);
+}
+
 /* The inputs as integers. */
 static void quantise(const fw_int_mlp* mlp, const float features[], int16_t out[]) {
     const float largest = (float)largest_of(mlp->width);
     for (size_t i = 0; i < mlp->layer[0].n_in; ++i) {
-        const float x = (features[i] - mlp->input_mean[i]) * mlp->input_scale[i];
-        float level = x * mlp->input_levels;
-        level += level < 0.0f ? -0.5f : 0.5f;
+        float level = level_of(mlp, features, i);
         /* Both comparisons are false for NaN (0 * infinity), which then counts as 0. */
         if (level > largest) level = largest;
         if (level < -largest) level = -largest;
         out[i] = level == level ? (int16_t)level : 0;
     }
+}
+
+uint16_t fw_int_clipped(const fw_int_mlp* mlp, const float features[]) {
+    if (mlp == NULL || features == NULL) return 0;
+    if (mlp->input_mean == NULL || mlp->input_scale == NULL) return 0;
+    const float beyond = (float)largest_of(mlp->width) + 1.0f; /* rounds to more than largest */
+    uint16_t n = 0;
+    for (size_t i = 0; i < mlp->layer[0].n_in; ++i) {
+        const float level = level_of(mlp, features, i);
+        if (!(level < beyond && level > -beyond)) ++n;
+    }
+    return n;
 }
 
 /* clamp(round(sum * multiplier / 2^shift), 0, largest). From 33 on, half of 2^shift is a multiple
@@ -164,10 +181,20 @@ static int64_t row_size(const fw_int_layer* layer, fw_int_width width, size_t o)
     return size;
 }
 
+static bool padding_is_zero(const fw_int_layer* layer, fw_int_width width, size_t o) {
+    const size_t n = fw_int_stride(width, layer->n_in);
+    for (size_t i = layer->n_in; i < n; ++i) {
+        const bool zero = width == FW_INT8 ? ((const int8_t*)layer->weight)[o * n + i] == 0
+                                           : ((const int16_t*)layer->weight)[o * n + i] == 0;
+        if (!zero) return false;
+    }
+    return true;
+}
+
 static bool row_fits(const fw_int_layer* layer, fw_int_width width, size_t o, bool is_last) {
     const int64_t bias = layer->bias[o];
     const int64_t most = largest_of(width) * row_size(layer, width, o) + (bias < 0 ? -bias : bias);
-    if (most > INT32_MAX) return false;
+    if (most > INT32_MAX || !padding_is_zero(layer, width, o)) return false;
     if (is_last)
         return fw_all_finite(&layer->scale[o], 1) && layer->scale[o] < 1e28f &&
                layer->scale[o] > -1e28f; /* times a sum of 2^31 it stays finite */

@@ -45,7 +45,10 @@ typedef struct fw_int_layer {
  *
  * n_layers      1..FW_MLP_MAX_LAYERS
  * input_mean, input_scale  (layer[0].n_in)
- * input_levels  steps of the integer per unit of x', finite, > 0
+ * input_levels  steps of the integer per unit of x', finite, > 0. So x' ends at largest /
+ *               input_levels: 6 standard deviations of the training rows in what the exporter
+ *               writes. Beyond, a float network goes on and this one stands still, and their
+ *               labels may differ: fw_int_clipped tells
  * layer         (n_layers); layer[i].n_in = layer[i - 1].n_out */
 typedef struct fw_int_mlp {
     fw_int_width width;
@@ -63,12 +66,17 @@ uint32_t fw_int_stride(fw_int_width width, uint16_t n_in);
  * or its counts are unsupported. Time: n_layers steps. */
 size_t fw_int_mlp_scratch(const fw_int_mlp* mlp);
 
+/* How many of features (layer[0].n_in) lie beyond what the integers reach, and so count as the
+ * nearest value within: their network's answer is not the float network's. NaN counts too. 0 if a
+ * pointer is NULL. Time: layer[0].n_in multiplications. */
+uint16_t fw_int_clipped(const fw_int_mlp* mlp, const float features[]);
+
 /* Whether no sum of a layer can leave 32 bits, and its shifts, multipliers and scales are in range;
  * is_last says which of them the layer has. Checked once, when a model is opened.
  *
  * FW_ERR_NULL   an array is missing
  * FW_ERR_SHAPE  a count is 0
- * FW_ERR_VALUE  a number out of range, or a sum that could overflow
+ * FW_ERR_VALUE  a number out of range, padding that is not 0, or a sum that could overflow
  * Time: n_out * n_in steps. */
 fw_status fw_int_layer_check(const fw_int_layer* layer, fw_int_width width, bool is_last);
 

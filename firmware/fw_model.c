@@ -50,8 +50,10 @@ static bool bins_fit(const fw_model* model) {
     const uint32_t n_spectrum = fw_range_fft_size(model->chirp.n_samples) / 2u;
     const uint32_t first = model->descriptor.first_bin, last = first + model->descriptor.n_bins;
     const uint32_t search_last = (uint32_t)model->search_first + model->n_search;
+    const bool uses_peak = model->normalise.align || model->normalise.compensate_range;
+    const bool same = model->search_first == first && search_last == last;
     return model->descriptor.n_bins > 0 && model->search_first <= first && last <= search_last &&
-           search_last <= n_spectrum;
+           search_last <= n_spectrum && (uses_peak || same);
 }
 
 /* Choices that exist, of bins that exist; enumerations are compared as the numbers they came as. */
@@ -65,6 +67,9 @@ static fw_status check_choices(const fw_model* model, const uint8_t* facts) {
                                fw_read_u32(facts + 80) == 0;
     if (!reserved_zero) return FW_ERR_CONFIG;
     if (!fw_normalise_valid(&model->normalise) || !bins_fit(model)) return FW_ERR_CONFIG;
+    const bool uses_peak = model->normalise.align || model->normalise.compensate_range;
+    if (!uses_peak && fw_read_u32(facts + 24) != 0) return FW_ERR_VALUE; /* unused, so zero bits */
+    if (!model->normalise.logarithm && fw_read_u32(facts + 28) != 0) return FW_ERR_VALUE;
     fw_window_shape shape;
     return fw_window_find((fw_window)fw_read_u16(facts + 16), model->chirp.n_samples, &shape);
 }

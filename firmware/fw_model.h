@@ -47,8 +47,8 @@ typedef enum fw_arithmetic {
 } fw_arithmetic;
 
 /* An opened blob: counts copied, arrays borrowed. Which of `real` and `whole` is set, `arithmetic`
- * says. With `align`, the peak is looked for in search_first .. search_first + n_search - 1;
- * without, those are the bins of the descriptor. */
+ * says. With `align` or `compensate_range` the peak is looked for in search_first .. search_first +
+ * n_search - 1; without, those are the bins of the descriptor. */
 typedef struct fw_model {
     fw_arithmetic arithmetic;
     uint16_t n_features, n_classes;
@@ -75,17 +75,20 @@ typedef struct fw_model {
  * FW_ERR_LENGTH     n_bytes is not what the header says, or not what the counts ask for
  * FW_ERR_CHECKSUM   the CRC-32 is wrong
  * FW_ERR_CONFIG     a choice that does not exist, or bins beyond the spectrum
- * FW_ERR_SHAPE      a count out of range, or a class name without its end
- * FW_ERR_VALUE      a number that is not finite, or integers that could overflow
+ * FW_ERR_SHAPE      a count out of range
+ * FW_ERR_NAME       a class name that is empty, without its end, no UTF-8, followed by anything
+ *                   but zeros, or there twice
+ * FW_ERR_VALUE      a number that is not finite or, where it must be 0 because nothing uses it, is
+ *                   not 0; a negative scale; integers that could overflow
  * Time: two passes over the bytes. */
 fw_status fw_model_open(const void* blob, size_t n_bytes, fw_model* model);
 
 /* FW_OK if the radar runs the chirp the model was trained on; else FW_ERR_CHIRP (or FW_ERR_NULL).
- */
+ * Time: constant. */
 fw_status fw_model_accepts_chirp(const fw_model* model, const fw_chirp* running);
 
 /* FW_OK if a frame has the shape the model was trained on; else FW_ERR_GEOMETRY (or FW_ERR_NULL).
- */
+ * Its samples are not read. Time: constant. */
 fw_status fw_model_accepts_frame(const fw_model* model, const fw_frame* frame);
 
 #ifdef __cplusplus

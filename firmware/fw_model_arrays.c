@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "fw_model_arrays.h"
 
+#include <stdbool.h>
+#include <string.h>
+
 #include "fw_finite.h"
 #include "fw_strict_float.h"
 
@@ -26,11 +29,48 @@ static fw_status take_floats(fw_blob_rest* rest, size_t n, const float** out) {
     return FW_OK;
 }
 
+/* Length of the well-formed UTF-8 sequence at the start of text (n bytes); 0 if there is none.
+ * RFC 3629, section 4: no overlong forms, no surrogates, nothing beyond U+10FFFF. */
+static size_t utf8_length(const uint8_t text[], size_t n) {
+    const uint8_t lead = text[0];
+    if (lead < 0x80u) return 1;
+    if (lead < 0xC2u || lead > 0xF4u) return 0;
+    const size_t length = lead < 0xE0u ? 2 : lead < 0xF0u ? 3 : 4;
+    if (length > n) return 0;
+    for (size_t i = 1; i < length; ++i) {
+        if ((text[i] & 0xC0u) != 0x80u) return 0;
+    }
+    const uint8_t second = text[1];
+    const bool fits = (lead != 0xE0u || second >= 0xA0u) && (lead != 0xEDu || second < 0xA0u) &&
+                      (lead != 0xF0u || second >= 0x90u) && (lead != 0xF4u || second < 0x90u);
+    return fits ? length : 0;
+}
+
+/* Text of one byte at least, then zeros to the end, one at least. */
+static bool is_name(const uint8_t name[FW_MODEL_NAME_BYTES]) {
+    size_t n = 0;
+    while (n < FW_MODEL_NAME_BYTES && name[n] != 0) {
+        const size_t length = utf8_length(name + n, FW_MODEL_NAME_BYTES - n);
+        if (length == 0) return false;
+        n += length;
+    }
+    if (n == 0 || n >= FW_MODEL_NAME_BYTES) return false;
+    while (n < FW_MODEL_NAME_BYTES) {
+        if (name[n++] != 0) return false;
+    }
+    return true;
+}
+
 static fw_status read_names(fw_blob_rest* rest, fw_model* model) {
     for (size_t c = 0; c < model->n_classes; ++c) {
         const char* const name = take(rest, FW_MODEL_NAME_BYTES, 1);
         if (name == NULL) return FW_ERR_LENGTH;
-        if (name[0] == '\0' || name[FW_MODEL_NAME_BYTES - 1] != '\0') return FW_ERR_SHAPE;
+        if (!is_name((const uint8_t*)name)) return FW_ERR_NAME;
+        for (size_t other = 0; other < c; ++other) {
+            if (memcmp(name, model->class_name[other], FW_MODEL_NAME_BYTES) == 0) {
+                return FW_ERR_NAME;
+            }
+        }
         model->class_name[c] = name;
     }
     return FW_OK;
@@ -42,6 +82,12 @@ static fw_status check_widths(const fw_model_widths* widths, const fw_model* mod
         if ((widths->n_out[i] != 0) != (i < widths->n_layers)) return FW_ERR_SHAPE;
     }
     return widths->n_out[widths->n_layers - 1] == model->n_classes ? FW_OK : FW_ERR_SHAPE;
+}
+
+/* Whether a number that is not used is what it must be then: zero bits. */
+static bool is_positive_zero(float value) {
+    static const float zero = 0.0f;
+    return memcmp(&value, &zero, sizeof value) == 0;
 }
 
 static fw_status read_real_layer(fw_blob_rest* rest, fw_layer* layer) {
@@ -76,7 +122,12 @@ static fw_status read_network(fw_blob_rest* rest, const fw_model_widths* widths,
     const fw_status scales = take_floats(rest, model->n_features, &scale);
     if (scales != FW_OK) return scales;
 
+    for (size_t i = 0; i < model->n_features; ++i) {
+        if (scale[i] < 0.0f) return FW_ERR_VALUE;
+    }
+
     const bool real = model->arithmetic == FW_ARITHMETIC_FLOAT;
+    if (real && !is_positive_zero(model->whole.input_levels)) return FW_ERR_VALUE;
     const fw_int_width width = model->arithmetic == FW_ARITHMETIC_INT8 ? FW_INT8 : FW_INT16;
     if (!real && !(model->whole.input_levels > 0.0f && model->whole.input_levels <= FLT_MAX)) {
         return FW_ERR_VALUE;
@@ -119,5 +170,6 @@ fw_status fw_model_read_arrays(fw_blob_rest* rest, const fw_model_widths* widths
     if (status == FW_OK) status = read_network(rest, widths, model);
     if (status == FW_OK && model->has_monitor) status = read_monitor(rest, model);
     if (status != FW_OK) return status;
+    if (!model->has_monitor && !is_positive_zero(model->suspicious_squared)) return FW_ERR_VALUE;
     return rest->n_left == 0 ? FW_OK : FW_ERR_LENGTH;
 }

@@ -17,6 +17,7 @@
 #define N_IN FW_GOLDEN_N_IN
 #define N_HIDDEN FW_GOLDEN_N_HIDDEN
 #define N_OUT FW_GOLDEN_N_OUT
+#define INT8_STRIDE 8 /* of the second layer, its rows padded */
 #define MEAN 4.0f
 #define SCALE 0.0625f
 #define LOGIT_SCALE 0x1p-10f
@@ -26,7 +27,8 @@ static bool same_bits(const float values[], const uint32_t expected[], size_t n)
     return memcmp(values, expected, n * sizeof(float)) == 0;
 }
 
-static bool check_profile(void* scratch, size_t scratch_bytes, float features[N_IN]) {
+static bool check_profile(void* scratch, size_t scratch_bytes) {
+    float features[N_IN];
     const fw_range_config config = {.n_samples = FW_GOLDEN_N_SAMPLES,
                                     .first_bin = FIRST_BIN,
                                     .n_bins = N_IN,
@@ -45,37 +47,61 @@ static bool check_hwa_like(void* scratch, size_t scratch_bytes) {
            memcmp(im_re + 2 * FIRST_BIN, fw_golden_im_re, sizeof fw_golden_im_re) == 0;
 }
 
-/* What both kinds of network share. */
-typedef struct small_network {
-    float mean[N_IN], scale[N_IN];
-    const float* features;
-    void* scratch;
-    size_t scratch_bytes;
-} small_network;
-
-static bool check_real(const small_network* net, float logits[N_OUT]) {
+/* What the networks are made of, in the caller's scratch: on the stack it would be the deepest of
+ * the library. The inputs are what the profile should be, so that one fault is not told twice. */
+typedef struct real_room {
+    float features[N_IN], mean[N_IN], scale[N_IN];
     float weight_0[N_HIDDEN * N_IN], weight_1[N_OUT * N_HIDDEN], bias_0[N_HIDDEN], bias_1[N_OUT];
-    for (size_t i = 0; i < N_HIDDEN * N_IN; ++i) {
-        weight_0[i] = WEIGHT_SCALE * (float)fw_golden_weight_0[i];
-    }
-    for (size_t i = 0; i < N_OUT * N_HIDDEN; ++i) {
-        weight_1[i] = WEIGHT_SCALE * (float)fw_golden_weight_1[i];
-    }
-    for (size_t i = 0; i < N_HIDDEN; ++i) bias_0[i] = WEIGHT_SCALE * (float)fw_golden_bias_0[i];
-    for (size_t i = 0; i < N_OUT; ++i) bias_1[i] = WEIGHT_SCALE * (float)fw_golden_bias_1[i];
-    const fw_mlp mlp = {
-        .n_layers = 2,
-        .input_mean = net->mean,
-        .input_scale = net->scale,
-        .layer = {{N_IN, N_HIDDEN, weight_0, bias_0}, {N_HIDDEN, N_OUT, weight_1, bias_1}}};
-    return fw_mlp_run(&mlp, net->features, net->scratch, net->scratch_bytes, logits, NULL) ==
-               FW_OK &&
-           same_bits(logits, fw_golden_logits, N_OUT);
+    float logits[N_OUT], probabilities[N_OUT];
+    float values[2 * N_IN];
+} real_room;
+
+typedef struct whole_room {
+    float features[N_IN], mean[N_IN], scale[N_IN];
+    int16_t weight_0[N_HIDDEN * N_IN], weight_1[N_OUT * INT8_STRIDE];
+    int32_t multiplier[N_HIDDEN], shift[N_HIDDEN];
+    float logit_scale[N_OUT], logits[N_OUT];
+    int16_t values[2 * N_IN];
+} whole_room;
+
+_Static_assert(N_IN % 4 == 0 && N_HIDDEN <= INT8_STRIDE, "rows must fit with their padding");
+_Static_assert(offsetof(whole_room, weight_1) % 4 == 0, "weights must be aligned to 4");
+
+static void fill(float values[], float value, size_t n) {
+    for (size_t i = 0; i < n; ++i) values[i] = value;
 }
 
-/* Writes a weight row by row, with the padding of that width; returns where. */
-static const void* pad_rows(const int8_t weight[], size_t n_out, size_t n_in, fw_int_width width,
-                            int16_t room[]) {
+static void put_inputs(float features[N_IN], float mean[N_IN], float scale[N_IN]) {
+    memcpy(features, fw_golden_profile, sizeof fw_golden_profile);
+    fill(mean, MEAN, N_IN);
+    fill(scale, SCALE, N_IN);
+}
+
+static bool check_real(real_room* room) {
+    put_inputs(room->features, room->mean, room->scale);
+    for (size_t i = 0; i < N_HIDDEN * N_IN; ++i) {
+        room->weight_0[i] = WEIGHT_SCALE * (float)fw_golden_weight_0[i];
+    }
+    for (size_t i = 0; i < N_OUT * N_HIDDEN; ++i) {
+        room->weight_1[i] = WEIGHT_SCALE * (float)fw_golden_weight_1[i];
+    }
+    for (size_t i = 0; i < N_HIDDEN; ++i) {
+        room->bias_0[i] = WEIGHT_SCALE * (float)fw_golden_bias_0[i];
+    }
+    for (size_t i = 0; i < N_OUT; ++i) room->bias_1[i] = WEIGHT_SCALE * (float)fw_golden_bias_1[i];
+    const fw_mlp mlp = {.n_layers = 2,
+                        .input_mean = room->mean,
+                        .input_scale = room->scale,
+                        .layer = {{N_IN, N_HIDDEN, room->weight_0, room->bias_0},
+                                  {N_HIDDEN, N_OUT, room->weight_1, room->bias_1}}};
+    return fw_mlp_run(&mlp, room->features, room->values, sizeof room->values, room->logits,
+                      NULL) == FW_OK &&
+           same_bits(room->logits, fw_golden_logits, N_OUT);
+}
+
+/* Writes a weight row by row, with the padding of that width. */
+static void pad_rows(const int8_t weight[], size_t n_out, size_t n_in, fw_int_width width,
+                     int16_t room[]) {
     const size_t stride = fw_int_stride(width, (uint16_t)n_in);
     int8_t* const bytes = (int8_t*)room;
     for (size_t o = 0; o < n_out; ++o) {
@@ -85,60 +111,72 @@ static const void* pad_rows(const int8_t weight[], size_t n_out, size_t n_in, fw
             if (width == FW_INT16) room[o * stride + i] = value;
         }
     }
-    return room;
 }
 
-static bool check_whole(const small_network* net, fw_int_width width, const uint32_t expected[]) {
-    _Alignas(4) int16_t room_0[N_HIDDEN * N_IN];
-    _Alignas(4) int16_t room_1[N_OUT * 8];
-    int32_t multiplier[N_HIDDEN], shift[N_HIDDEN];
-    float scale[N_OUT], logits[N_OUT];
-    for (size_t o = 0; o < N_HIDDEN; ++o) multiplier[o] = fw_golden_multiplier;
-    for (size_t o = 0; o < N_HIDDEN; ++o) shift[o] = FW_GOLDEN_SHIFT;
-    for (size_t o = 0; o < N_OUT; ++o) scale[o] = LOGIT_SCALE;
+static bool check_whole(whole_room* room, fw_int_width width, const uint32_t expected[]) {
+    put_inputs(room->features, room->mean, room->scale);
+    pad_rows(fw_golden_weight_0, N_HIDDEN, N_IN, width, room->weight_0);
+    pad_rows(fw_golden_weight_1, N_OUT, N_HIDDEN, width, room->weight_1);
+    for (size_t o = 0; o < N_HIDDEN; ++o) room->multiplier[o] = fw_golden_multiplier;
+    for (size_t o = 0; o < N_HIDDEN; ++o) room->shift[o] = FW_GOLDEN_SHIFT;
+    fill(room->logit_scale, LOGIT_SCALE, N_OUT);
     const fw_int_mlp mlp = {
         .width = width,
         .n_layers = 2,
-        .input_mean = net->mean,
-        .input_scale = net->scale,
+        .input_mean = room->mean,
+        .input_scale = room->scale,
         .input_levels = FW_GOLDEN_INPUT_LEVELS,
-        .layer = {{N_IN, N_HIDDEN, pad_rows(fw_golden_weight_0, N_HIDDEN, N_IN, width, room_0),
-                   fw_golden_bias_0, multiplier, shift, NULL},
-                  {N_HIDDEN, N_OUT, pad_rows(fw_golden_weight_1, N_OUT, N_HIDDEN, width, room_1),
-                   fw_golden_bias_1, NULL, NULL, scale}}};
-    return fw_int_mlp_run(&mlp, net->features, net->scratch, net->scratch_bytes, logits, NULL) ==
-               FW_OK &&
-           same_bits(logits, expected, N_OUT);
+        .layer = {
+            {N_IN, N_HIDDEN, room->weight_0, fw_golden_bias_0, room->multiplier, room->shift, NULL},
+            {N_HIDDEN, N_OUT, room->weight_1, fw_golden_bias_1, NULL, NULL, room->logit_scale}}};
+    return fw_int_mlp_run(&mlp, room->features, room->values, sizeof room->values, room->logits,
+                          NULL) == FW_OK &&
+           same_bits(room->logits, expected, N_OUT);
+}
+
+static bool check_softmax(real_room* room) {
+    memcpy(room->logits, fw_golden_logits, sizeof room->logits);
+    return fw_softmax(room->logits, N_OUT, room->probabilities) == FW_OK &&
+           same_bits(room->probabilities, fw_golden_probabilities, N_OUT);
+}
+
+/* One layer, whose sums pass below FLT_MIN and end there or above. */
+static bool check_subnormal(real_room* room) {
+    memcpy(room->weight_0, fw_golden_subnormal_weight, sizeof fw_golden_subnormal_weight);
+    memcpy(room->features, fw_golden_subnormal_in, sizeof fw_golden_subnormal_in);
+    fill(room->bias_0, 0.0f, FW_GOLDEN_N_SUBNORMAL);
+    const fw_mlp mlp = {
+        .n_layers = 1,
+        .layer = {{FW_GOLDEN_N_SUBNORMAL, FW_GOLDEN_N_SUBNORMAL, room->weight_0, room->bias_0}}};
+    return fw_mlp_run(&mlp, room->features, room->values, sizeof room->values, room->logits,
+                      NULL) == FW_OK &&
+           same_bits(room->logits, fw_golden_subnormal_logits, FW_GOLDEN_N_SUBNORMAL);
+}
+
+static size_t larger(size_t a, size_t b) {
+    return a > b ? a : b;
 }
 
 size_t fw_selftest_scratch(void) {
-    return fw_hwa_fft_scratch(FW_GOLDEN_N_SAMPLES);
+    return larger(fw_hwa_fft_scratch(FW_GOLDEN_N_SAMPLES),
+                  larger(sizeof(real_room), sizeof(whole_room)));
 }
 
 fw_status fw_selftest(void* scratch, size_t scratch_bytes, fw_selftest_report* report) {
     if (scratch == NULL || report == NULL) return FW_ERR_NULL;
     if (!fw_scratch_fits(scratch, scratch_bytes, fw_selftest_scratch())) return FW_ERR_SCRATCH;
     static const uint8_t digits[9] = {'1', '2', '3', '4', '5', '6', '7', '8', '9'};
-    float features[N_IN], logits[N_OUT], probabilities[N_OUT];
     fw_selftest_report found = {.checksum = fw_crc32(digits, sizeof digits) == 0xCBF43926u};
-    found.profile = check_profile(scratch, scratch_bytes, features);
+    found.profile = check_profile(scratch, scratch_bytes);
     found.hwa_like = check_hwa_like(scratch, scratch_bytes);
-
-    /* The networks run on what the profile should be: one fault is not told twice. */
-    small_network net = {.scratch = scratch, .scratch_bytes = scratch_bytes};
-    memcpy(features, fw_golden_profile, sizeof features);
-    net.features = features;
-    for (size_t i = 0; i < N_IN; ++i) net.mean[i] = MEAN;
-    for (size_t i = 0; i < N_IN; ++i) net.scale[i] = SCALE;
-    found.network = check_real(&net, logits);
-    found.network = check_whole(&net, FW_INT16, fw_golden_logits_int16) && found.network;
-    found.network = check_whole(&net, FW_INT8, fw_golden_logits_int8) && found.network;
-    memcpy(logits, fw_golden_logits, sizeof logits);
-    found.softmax = fw_softmax(logits, N_OUT, probabilities) == FW_OK &&
-                    same_bits(probabilities, fw_golden_probabilities, N_OUT);
+    found.network = check_real(scratch);
+    found.network = check_whole(scratch, FW_INT16, fw_golden_logits_int16) && found.network;
+    found.network = check_whole(scratch, FW_INT8, fw_golden_logits_int8) && found.network;
+    found.softmax = check_softmax(scratch);
+    found.subnormal = check_subnormal(scratch);
 
     *report = found;
-    const bool all =
-        found.checksum && found.profile && found.hwa_like && found.network && found.softmax;
+    const bool all = found.checksum && found.profile && found.hwa_like && found.network &&
+                     found.softmax && found.subnormal;
     return all ? FW_OK : FW_ERR_SELF_TEST;
 }

@@ -22,14 +22,15 @@ extern "C" {
     X(FW_ERR_VALUE)     /* a stored number that could make a result overflow */             \
     X(FW_ERR_CHIRP)     /* the radar runs another chirp than the model was trained on */    \
     X(FW_ERR_GEOMETRY)  /* the frame has another shape than the model was trained on */     \
-    X(FW_ERR_SELF_TEST) /* this machine computes other bits than it must */
+    X(FW_ERR_SELF_TEST) /* this machine computes other bits than it must */                 \
+    X(FW_ERR_NAME)      /* a class name that is no text, or there twice */
 
 #define FW_STATUS_ENUMERATOR(name) name,
 typedef enum fw_status { FW_STATUS_LIST(FW_STATUS_ENUMERATOR) } fw_status;
 #undef FW_STATUS_ENUMERATOR
 
 /* The enumerator as text, e.g. "FW_ERR_SHAPE"; "unknown fw_status" for any other value.
- * Never NULL; static storage. */
+ * Never NULL; static storage. Time: constant. */
 const char* fw_status_name(fw_status status);
 
 #ifdef __cplusplus

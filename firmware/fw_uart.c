@@ -8,7 +8,7 @@
 #define TLV_BYTES 8
 #define CLASS_COUNTS_BYTES 8 /* label and number of classes, before the probabilities */
 #define MULTIPLE 32
-#define MAX_PACKET_BYTES 65536u
+#define BITS_OF_ONE 0x3F800000u
 #define NO_SUBFRAME 0xFFFFFFFFu
 
 static const uint8_t magic[8] = {2, 1, 4, 3, 6, 5, 8, 7};
@@ -65,16 +65,34 @@ static uint8_t* write_classes(const fw_uart_packet* packet, uint8_t* place) {
     return place;
 }
 
+/* Of positive floats the larger has the larger bits, and NaN and all below 0 have larger ones than
+ * any: one comparison of whole numbers says whether a float is in 0..1. */
+static bool is_probability(uint32_t bits) {
+    return bits <= BITS_OF_ONE;
+}
+
+static bool answers_are_sound(const fw_uart_packet* packet) {
+    if (packet->n_classes == 0) return packet->label == 0;
+    for (size_t c = 0; c < packet->n_classes; ++c) {
+        uint32_t bits;
+        memcpy(&bits, &packet->probabilities[c], sizeof bits);
+        if (!is_probability(bits)) return false;
+    }
+    return packet->label < packet->n_classes;
+}
+
 fw_status fw_uart_write(const fw_uart_packet* packet, uint8_t out[], size_t out_bytes) {
     if (packet == NULL || out == NULL) return FW_ERR_NULL;
     if (packet->n_bins > 0 && packet->profile == NULL) return FW_ERR_NULL;
     if (packet->n_classes > 0 && packet->probabilities == NULL) return FW_ERR_NULL;
     const size_t n_bytes = fw_uart_size(packet->n_bins, packet->n_classes);
+    if (n_bytes > FW_UART_MAX_BYTES) return FW_ERR_SHAPE;
+    if (!answers_are_sound(packet)) return FW_ERR_VALUE;
     if (out_bytes < n_bytes) return FW_ERR_SCRATCH;
     write_header(packet, (uint32_t)n_bytes, out);
     uint8_t* place = write_profile(packet, out + FW_UART_HEADER_BYTES);
     place = write_classes(packet, place);
-    while (place < out + n_bytes) *place++ = 0;
+    for (; place < out + n_bytes; place += 4) fw_write_u32(place, 0); /* all counts are of words */
     return FW_OK;
 }
 
@@ -88,7 +106,8 @@ static size_t find_start(const uint8_t bytes[], size_t n_bytes) {
     return n_bytes;
 }
 
-/* Takes one block of n_bytes of value into the view; false if its counts do not fit. */
+/* Takes one block of n_bytes of value into the view; false if its counts do not fit or its values
+ * are none. */
 static bool read_tlv(uint32_t type, const uint8_t* value, uint32_t n_bytes, fw_uart_view* view) {
     if (type == FW_UART_TLV_PROFILE) {
         view->profile = value;
@@ -100,7 +119,11 @@ static bool read_tlv(uint32_t type, const uint8_t* value, uint32_t n_bytes, fw_u
         view->label = fw_read_u32(value);
         view->n_classes = fw_read_u32(value + 4);
         view->probabilities = value + CLASS_COUNTS_BYTES;
-        return view->n_classes == (n_bytes - CLASS_COUNTS_BYTES) / 4 && n_bytes % 4 == 0;
+        if (view->n_classes != (n_bytes - CLASS_COUNTS_BYTES) / 4 || n_bytes % 4 != 0) return false;
+        for (size_t c = 0; c < view->n_classes; ++c) {
+            if (!is_probability(fw_read_u32(view->probabilities + 4 * c))) return false;
+        }
+        return view->label < view->n_classes;
     }
     return true;
 }
@@ -128,7 +151,7 @@ fw_status fw_uart_read(const uint8_t bytes[], size_t n_bytes, fw_uart_view* view
     if (n_left == 0) return FW_ERR_MAGIC;
     if (n_left < FW_UART_HEADER_BYTES) return FW_ERR_LENGTH;
     const uint32_t packet_bytes = fw_read_u32(packet + 12);
-    if (packet_bytes < FW_UART_HEADER_BYTES || packet_bytes > MAX_PACKET_BYTES) {
+    if (packet_bytes < FW_UART_HEADER_BYTES || packet_bytes > FW_UART_MAX_BYTES) {
         *n_used = start + 1;
         return FW_ERR_VALUE;
     }

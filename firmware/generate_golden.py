@@ -178,6 +178,17 @@ def softmax(logits):
     return [f32(value / total) for value in out]
 
 
+def subnormal():
+    """Inputs, weights (out, in) and sums; each product is rounded before it is added."""
+    smallest_normal = 2.0**-126
+    inputs = [f32(1.3 * 2.0**-100), f32(1.7 * 2.0**20)]
+    weights = [f32(1.1 * 2.0**-32), 0.0, 0.0, f32(1.9 * 2.0**-140)]
+    products = [f32(weights[0] * inputs[0]), f32(weights[3] * inputs[1])]
+    assert 0 < products[0] < smallest_normal <= min(abs(x) for x in inputs + weights[:1])
+    assert 0 < weights[3] < smallest_normal < products[1]
+    return inputs, weights, products
+
+
 def emit(declaration, values, per_line=12):
     print(f"\n{declaration} = {{")
     for start in range(0, len(values), per_line):
@@ -209,6 +220,8 @@ def main():
     emit_floats("fw_golden_logits_int16", logits_int(features, 32767))
     emit_floats("fw_golden_logits_int8", logits_int(features, 127))
     emit_floats("fw_golden_probabilities", softmax(logits))
+    for name, values in zip(("in", "weight", "logits"), subnormal()):
+        emit_floats("fw_golden_subnormal_" + name, values)
 
 
 main()

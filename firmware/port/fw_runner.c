@@ -22,7 +22,10 @@
 #include "fw_runner.h"
 
 #define MAX_BLOB_BYTES 32768
-#define MAX_RECORD_BYTES (9 * 4 + 4 * (FW_MODEL_MAX_FEATURES + 2 * FW_MODEL_MAX_CLASSES))
+#define RECORD_COUNTS 7
+#define RECORD_SCORES 4
+#define MAX_RECORD_BYTES \
+    (4 * (RECORD_COUNTS + RECORD_SCORES) + 4 * (FW_MODEL_MAX_FEATURES + 2 * FW_MODEL_MAX_CLASSES))
 #define MAX_UART_BYTES 2560 /* 512 bins and 16 classes */
 
 static uint32_t blob[MAX_BLOB_BYTES / 4];
@@ -63,7 +66,8 @@ static int open_frames(const char* path, fw_injection* frames, int* file) {
     return codes <= FW_RUNNER_MAX_CODES ? 0 : complain(path, "has larger frames than fit here");
 }
 
-/* The next frame of an opened file, in `samples`; samples = NULL at its end. */
+/* The next frame of an opened file, in `samples`; samples = NULL if the file ends before it does.
+ */
 static fw_frame next_frame(const fw_injection* frames, int file) {
     const size_t n_bytes =
         (size_t)frames->n_samples * frames->n_rx * frames->n_chirps * sizeof(int16_t);
@@ -82,14 +86,18 @@ static uint8_t* put_floats(uint8_t* place, const float values[], size_t n) {
 /* One result as bytes; returns how many. */
 static size_t make_record(const fw_model* model, fw_status status, const fw_result* result,
                           uint8_t out[]) {
-    const uint32_t counts[5] = {(uint32_t)status, result->quality.n_saturated,
-                                result->quality.n_dead_rows, result->label,
-                                result->suspicious ? 1u : 0u};
-    const float scores[4] = {result->probability, result->max_logit, result->energy,
-                             result->squared};
+    const uint32_t counts[RECORD_COUNTS] = {(uint32_t)status,
+                                            result->quality.n_saturated,
+                                            result->quality.n_dead_rows,
+                                            result->n_saturated_bins,
+                                            result->n_clipped_inputs,
+                                            result->label,
+                                            result->suspicious ? 1u : 0u};
+    const float scores[RECORD_SCORES] = {result->probability, result->max_logit, result->energy,
+                                         result->squared};
     uint8_t* place = out;
-    for (size_t i = 0; i < 5; ++i, place += 4) fw_write_u32(place, counts[i]);
-    place = put_floats(place, scores, 4);
+    for (size_t i = 0; i < RECORD_COUNTS; ++i, place += 4) fw_write_u32(place, counts[i]);
+    place = put_floats(place, scores, RECORD_SCORES);
     place = put_floats(place, result->features, model->n_features);
     place = put_floats(place, result->logits, model->n_classes);
     place = put_floats(place, result->probabilities, model->n_classes);
@@ -128,6 +136,21 @@ static int open_inputs(char* argv[], fw_model* model, fw_injection* frames, int*
     return failed != 0 ? failed : open_frames(argv[3], frames, in);
 }
 
+/* Every frame of an opened file to a record and a packet; 0, or what to exit with. */
+static int run_frames(const fw_model* model, const fw_injection* frames, int in, int out) {
+    static uint8_t record[MAX_RECORD_BYTES];
+    for (uint32_t i = 0; i < frames->n_frames; ++i) {
+        const fw_frame frame = next_frame(frames, in);
+        if (frame.samples == NULL) return 2;
+        fw_result result = {0};
+        const fw_status status = fw_classify(model, &frame, scratch, sizeof scratch, &result);
+        const size_t n_bytes = make_record(model, status, &result, record);
+        if (!fw_port_write(out, record, n_bytes)) return 1;
+        if (status == FW_OK && !send_packet(model, &frame, i, &result)) return 1;
+    }
+    return 0;
+}
+
 static int run(char* argv[]) {
     fw_model model;
     fw_injection frames;
@@ -137,18 +160,25 @@ static int run(char* argv[]) {
     const int out = fw_port_open(argv[4], true);
     if (out == FW_PORT_NO_FILE) return complain(argv[4], "cannot be written");
     if (!fw_port_uart_begin(argv[5])) return complain(argv[5], "cannot be written");
-    static uint8_t record[MAX_RECORD_BYTES];
-    for (uint32_t i = 0; i < frames.n_frames; ++i) {
-        const fw_frame frame = next_frame(&frames, in);
-        fw_result result = {0};
-        const fw_status status = fw_classify(&model, &frame, scratch, sizeof scratch, &result);
-        const size_t n_bytes = make_record(&model, status, &result, record);
-        if (!fw_port_write(out, record, n_bytes)) return 1;
-        if (status == FW_OK && !send_packet(&model, &frame, i, &result)) return 1;
-    }
+    const int ended = run_frames(&model, &frames, in, out);
+    uint8_t beyond;
+    const bool goes_on = ended == 0 && fw_port_read(in, &beyond, 1) != 0;
     fw_port_close(in);
     fw_port_close(out);
+    if (ended == 2) return complain(argv[3], "ends before the last frame its header promises");
+    if (ended != 0) return ended;
+    if (goes_on) return complain(argv[3], "goes on behind the last frame its header promises");
     return fw_port_stack_intact() ? 0 : complain("stack", "is overrun");
+}
+
+/* A whole number of 1 to 5 digits; 0 for anything else. */
+static uint32_t read_repeats(const char* text) {
+    uint32_t repeats = 0;
+    size_t n = 0;
+    for (; text[n] >= '0' && text[n] <= '9' && n < 5; ++n) {
+        repeats = 10 * repeats + (uint32_t)(text[n] - '0');
+    }
+    return text[n] == '\0' ? repeats : 0;
 }
 
 static int bench(char* argv[]) {
@@ -158,11 +188,10 @@ static int bench(char* argv[]) {
     const int failed = open_inputs(argv, &model, &frames, &in);
     if (failed != 0) return failed;
     const fw_frame frame = next_frame(&frames, in);
-    uint32_t repeats = 0;
-    for (const char* digit = argv[4]; *digit >= '0' && *digit <= '9' && repeats < 10000; ++digit) {
-        repeats = 10 * repeats + (uint32_t)(*digit - '0');
-    }
     fw_port_close(in);
+    if (frame.samples == NULL) return complain(argv[3], "ends inside its first frame");
+    const uint32_t repeats = read_repeats(argv[4]);
+    if (repeats == 0) return complain(argv[4], "is no number of repeats, 1 to 99999");
     const fw_bench job = {.model = &model,
                           .blob = blob,
                           .blob_bytes = fw_read_u32((const uint8_t*)blob + 8),

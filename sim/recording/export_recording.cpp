@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 
+#include "firmware/fw_uart.h"
 #include "sim/core/document.hpp"
 #include "sim/recording/adc_injection.hpp"
 #include "sim/recording/csv_rows.hpp"
@@ -145,17 +146,32 @@ void check_features(const Dataset& dataset) {
         throw InputError("there are no features in the dataset; extract them first");
 }
 
+/// Numbers of packets: those a sensor gave where they only rise, else 0, 1, 2...: a dataset counts
+/// the frames of every session anew, a stream does not.
+std::vector<std::uint32_t> packet_numbers(const Dataset& dataset) {
+    const auto falls = [](const Truth& a, const Truth& b) { return b.frame <= a.frame; };
+    const bool rises = std::ranges::adjacent_find(dataset.truth, falls) == dataset.truth.end();
+    std::vector<std::uint32_t> numbers;
+    for (const Truth& truth : dataset.truth)
+        numbers.push_back(rises ? static_cast<std::uint32_t>(truth.frame)
+                                : static_cast<std::uint32_t>(numbers.size()));
+    return numbers;
+}
+
 std::vector<ExportedFile> export_uart(const Outgoing& o) {
     check_features(o.dataset);
     const std::size_t n_bins = o.dataset.feature_names.size();
     const std::size_t n_answers = o.dataset.answer_names.size();
-    constexpr std::size_t most_bins = std::numeric_limits<std::uint16_t>::max();
-    if (n_bins > most_bins)
-        throw InputError(format("{} features: a packet holds at most {} bins; use csv or npy",
-                                n_bins, most_bins));
+    constexpr std::size_t most = std::numeric_limits<std::uint16_t>::max();
+    if (n_bins > most || n_answers > most ||
+        fw_uart_size(static_cast<std::uint16_t>(n_bins), static_cast<std::uint16_t>(n_answers)) >
+            FW_UART_MAX_BYTES)
+        throw InputError(format("{} features: a packet holds at most {} bytes; use csv or npy",
+                                n_bins, FW_UART_MAX_BYTES));
+    const auto numbers = packet_numbers(o.dataset);
     std::string stream;
     for (std::size_t i = 0; i < o.dataset.n_frames(); ++i) {
-        UartFrame frame{.number = static_cast<std::uint32_t>(o.dataset.truth[i].frame)};
+        UartFrame frame{.number = numbers[i]};
         for (std::size_t k = 0; k < n_bins; ++k) {
             const double value = o.dataset.features[i * n_bins + k];
             if (!(value >= 0.0 && value <= 4294967295.0) || value != std::floor(value))

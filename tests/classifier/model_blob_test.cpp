@@ -4,47 +4,15 @@
 
 #include "classifier/folded_model.hpp"
 #include "classifier/integer_model.hpp"
-#include "firmware/fw_bytes.h"
 #include "firmware/fw_classify.h"
-#include "firmware/fw_crc32.h"
 #include "sim/core/error.hpp"
 #include "tests/check.hpp"
 #include "tests/classifier/naive_model.hpp"
+#include "tests/classifier/whole_model.hpp"
 #include "tests/firmware/oracle.hpp"
 
 namespace specula {
 namespace {
-
-using Blob = std::vector<std::uint8_t>;
-
-/// A model of the default shape with everything a blob can carry.
-Model whole_model() {
-    Model model = random_model({12, 16, 16, 5});
-    model.input_mean.assign(12, 30.0f);
-    model.input_scale.assign(12, 0.05f);
-    model.measurement =
-        Measurement{.chirp = {57'500'000, 150'000, 5'000'000, 128, 28, 3, 1, 17'500, 4000, 12},
-                    .descriptor = {6, 12, FW_WINDOW_BLACKMAN, FW_INTEGRATE_MEAN, FW_RANGE_FLOAT}};
-    InputMonitor monitor;
-    monitor.mean.assign(12, 30.0f);
-    for (int i = 0; i < 12; ++i)
-        for (int j = 0; j <= i; ++j) monitor.whitening.push_back(i == j ? 0.1f : 0.0f);
-    monitor.centre.assign(60, 0.0f);
-    monitor.suspicious_squared = 26.0f;
-    model.monitor = monitor;
-    return model;
-}
-
-/// Bytes that the checksum of a blob agrees with again.
-Blob resealed(Blob blob) {
-    fw_write_u32(blob.data() + 12, fw_crc32(blob.data() + 16, blob.size() - 16));
-    return blob;
-}
-
-fw_status open_status(const Blob& blob) {
-    fw_model model;
-    return fw_model_open(blob.data(), blob.size(), &model);
-}
 
 TEST_CASE("a blob opens as the model it was written from, bit for bit", "[blob]") {
     const Model model = whole_model();

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 #include "firmware/fw_range_profile.h"
@@ -184,4 +185,32 @@ TEST_CASE("a frame that cannot be extracted leaves the output untouched", "[firm
     CHECK(fw_extract(&frame, &mean, nullptr, bytes, out.data()) == FW_ERR_NULL);
     CHECK(fw_extract(&frame, &mean, lent, bytes, nullptr) == FW_ERR_NULL);
     CHECK(out == before);
+}
+
+TEST_CASE("bins that the HWA-like transform cuts off are counted, and those outside are not",
+          "[firmware]") {
+    // 2000 LSB at bin 20 of 512 samples are 53,650 counts, beyond int16; the float path has no
+    // limit, and reads 2000 LSB.
+    Recording recording{2, 1, 512, std::vector<std::int16_t>(1024)};
+    for (std::size_t i = 0; i < 1024; ++i) {
+        const double angle = 2 * std::numbers::pi * 20 * static_cast<double>(i % 512) / 512;
+        recording.samples[i] = static_cast<std::int16_t>(std::lround(2000 * std::cos(angle)));
+    }
+    const auto frame = recording.view();
+    std::vector<float> scratch(fw_extract_scratch(&frame) / sizeof(float)), out(4);
+    const auto counted = [&](std::uint16_t first, fw_range_path path) {
+        const fw_extract_config config{first, 4, FW_WINDOW_BLACKMAN, FW_INTEGRATE_MEAN, path};
+        std::uint32_t n = 77;
+        REQUIRE(fw_extract_counted(&frame, &config, scratch.data(), 4 * scratch.size(), out.data(),
+                                   &n) == FW_OK);
+        return n;
+    };
+    CHECK(counted(19, FW_RANGE_HWA_LIKE) == 2);  // the real part of bin 20, in either row
+    CHECK(out[1] < 1300.0F);
+    CHECK(counted(40, FW_RANGE_HWA_LIKE) == 0);
+    CHECK(counted(19, FW_RANGE_FLOAT) == 0);
+    CHECK(out[1] == Approx(2000).epsilon(1e-3));
+    const fw_extract_config config{19, 4, FW_WINDOW_BLACKMAN, FW_INTEGRATE_MEAN, FW_RANGE_FLOAT};
+    CHECK(fw_extract_counted(&frame, &config, scratch.data(), 4 * scratch.size(), out.data(),
+                             nullptr) == FW_ERR_NULL);
 }

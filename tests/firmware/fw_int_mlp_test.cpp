@@ -176,3 +176,36 @@ TEST_CASE("an integer network refuses what the float one refuses", "[firmware]")
     CHECK(status(32) == FW_ERR_NULL);
     CHECK(logits == std::vector<float>(3, -1.0F));
 }
+
+TEST_CASE("inputs that the integers do not reach are counted, as the run cuts them off",
+          "[firmware]") {
+    const auto width = GENERATE(FW_INT8, FW_INT16);
+    const float largest = width == FW_INT8 ? 127.0F : 32767.0F;
+    const std::vector<float> mean(4, 10.0F), scale(4, 1.0F);
+    fw_int_mlp mlp{};
+    mlp.width = width;
+    mlp.n_layers = 1;
+    mlp.input_mean = mean.data();
+    mlp.input_scale = scale.data();
+    mlp.input_levels = largest / 6.0F;
+    mlp.layer[0].n_in = 4;
+    const float not_a_number = std::numeric_limits<float>::quiet_NaN();
+    std::vector<float> features{10.0F, 15.9F, 4.1F, 16.0F};  // 16 is 6 sigma: the last that fits
+    CHECK(fw_int_clipped(&mlp, features.data()) == 0);
+    features = {17.0F, 10.0F, 3.0F, 1e30F};
+    CHECK(fw_int_clipped(&mlp, features.data()) == 3);
+    features = {not_a_number, 10.0F, 10.0F, 10.0F};
+    CHECK(fw_int_clipped(&mlp, features.data()) == 1);
+    CHECK(fw_int_clipped(nullptr, features.data()) == 0);
+    CHECK(fw_int_clipped(&mlp, nullptr) == 0);
+}
+
+TEST_CASE("padding that is not zero is refused when a layer is checked", "[firmware]") {
+    std::vector<std::int8_t> weight{1, 2, 3, 0, 4, 5, 6, 0};
+    const std::vector<std::int32_t> bias(2);
+    const std::vector<float> scale(2, 1.0F);
+    const fw_int_layer layer{3, 2, weight.data(), bias.data(), nullptr, nullptr, scale.data()};
+    CHECK(fw_int_layer_check(&layer, FW_INT8, true) == FW_OK);
+    weight[7] = 1;
+    CHECK(fw_int_layer_check(&layer, FW_INT8, true) == FW_ERR_VALUE);
+}

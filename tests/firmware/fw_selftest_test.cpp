@@ -7,6 +7,10 @@
 #include <string>
 #include <vector>
 
+#if defined(__SSE__)
+#include <xmmintrin.h>
+#endif
+
 #include "tests/check.hpp"
 
 namespace {
@@ -33,7 +37,25 @@ TEST_CASE("this machine passes the self-test, part by part", "[firmware]") {
     CHECK(report.hwa_like);
     CHECK(report.network);
     CHECK(report.softmax);
+    CHECK(report.subnormal);
 }
+
+#if defined(__SSE__)
+TEST_CASE("a machine that flushes subnormal numbers, in or out, fails the self-test and is named",
+          "[firmware]") {
+    const unsigned mode = GENERATE(0x8000u, 0x0040u);  // MXCSR: flush to zero, denormals are zero
+    std::vector<float> scratch(fw_selftest_scratch() / sizeof(float));
+    fw_selftest_report report{};
+    const unsigned before = _mm_getcsr();
+    _mm_setcsr(before | mode);
+    const fw_status status = fw_selftest(scratch.data(), scratch.size() * sizeof(float), &report);
+    _mm_setcsr(before);
+    CHECK(status == FW_ERR_SELF_TEST);
+    CHECK_FALSE(report.subnormal);
+    CHECK(report.network);
+    CHECK(report.profile);
+}
+#endif
 
 TEST_CASE("the stored results are those of the independent statement in Python", "[firmware]") {
     const std::string folder = SPECULA_SOURCE_DIR "/firmware/";

@@ -14,10 +14,11 @@ TEST_CASE("every status answers with its own enumerator's name", "[firmware]") {
     CHECK(std::string(fw_status_name(FW_ERR_NONFINITE)) == "FW_ERR_NONFINITE");
     CHECK(std::string(fw_status_name(FW_ERR_CHECKSUM)) == "FW_ERR_CHECKSUM");
     CHECK(std::string(fw_status_name(FW_ERR_SELF_TEST)) == "FW_ERR_SELF_TEST");
+    CHECK(std::string(fw_status_name(FW_ERR_NAME)) == "FW_ERR_NAME");
 }
 
 TEST_CASE("a number that is no status still has a name", "[firmware]") {
-    CHECK(std::string(fw_status_name(static_cast<fw_status>(15))) == "unknown fw_status");
+    CHECK(std::string(fw_status_name(static_cast<fw_status>(16))) == "unknown fw_status");
 }
 
 TEST_CASE("success is zero, so that a status reads as a truth value", "[firmware]") {

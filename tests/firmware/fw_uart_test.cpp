@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <vector>
 
 #include "tests/check.hpp"
@@ -128,4 +129,49 @@ TEST_CASE("a packet that cannot be written leaves the bytes alone", "[firmware]"
     CHECK(status(what, 96) == FW_ERR_NULL);
     CHECK(bytes == Bytes(96, 0xEE));
     CHECK(fw_uart_write(nullptr, bytes.data(), 96) == FW_ERR_NULL);
+}
+
+TEST_CASE("what is written is what the reader takes: too long or untrue packets are refused",
+          "[firmware]") {
+    // (65536 - 40 - 8) / 4 = 16372 bins fill a packet; 20000 were once written and not read.
+    std::vector<std::uint32_t> many(20000, 5);
+    fw_uart_packet what{.frame_number = 1,
+                        .time_cycles = 0,
+                        .profile = many.data(),
+                        .n_bins = 16372,
+                        .probabilities = nullptr,
+                        .n_classes = 0,
+                        .label = 0};
+    Bytes bytes = written(what);
+    CHECK(bytes.size() == FW_UART_MAX_BYTES);
+    fw_uart_view view{};
+    std::size_t used = 0;
+    CHECK(fw_uart_read(bytes.data(), bytes.size(), &view, &used) == FW_OK);
+    CHECK(view.n_bins == 16372);
+    for (const std::uint16_t n_bins : {16373, 20000}) {
+        what.n_bins = n_bins;
+        Bytes out(fw_uart_size(n_bins, 0));
+        CHECK(fw_uart_write(&what, out.data(), out.size()) == FW_ERR_SHAPE);
+    }
+    const float none = std::numeric_limits<float>::quiet_NaN();
+    for (const float wrong : {none, -none, 2.0F, -0.25F, -0.0F, 1.0000001F}) {
+        const std::vector<float> untrue{wrong, 0.5F};
+        fw_uart_packet lie = packet();
+        lie.probabilities = untrue.data();
+        Bytes out(96, 0xEE);
+        CHECK(fw_uart_write(&lie, out.data(), 96) == FW_ERR_VALUE);
+        CHECK(out == Bytes(96, 0xEE));
+        Bytes received = written(packet());
+        std::memcpy(received.data() + 76, &wrong, 4);
+        CHECK(fw_uart_read(received.data(), 96, &view, &used) == FW_ERR_VALUE);
+    }
+    for (const std::uint16_t label : {2, 7}) {
+        fw_uart_packet lie = packet();
+        lie.label = label;
+        Bytes out(96, 0xEE);
+        CHECK(fw_uart_write(&lie, out.data(), 96) == FW_ERR_VALUE);
+        Bytes received = written(packet());
+        received[68] = static_cast<std::uint8_t>(label);
+        CHECK(fw_uart_read(received.data(), 96, &view, &used) == FW_ERR_VALUE);
+    }
 }

@@ -48,7 +48,7 @@ std::vector<Excess> find_excess(const Verification& verification,
     compare_bytes("code", sum.code);
     compare_bytes("constants", sum.constants);
     compare_bytes("ram", sum.ram);
-    compare_bytes("stack", verification.stack.bytes);
+    compare_bytes("stack", verification.stacks.front().bytes);
     bytes.finish();
     for (const char* arithmetic : {"float32", "int16", "int8"}) {
         Section section = root.section(arithmetic);

@@ -19,11 +19,18 @@ namespace {
 const std::vector<std::vector<int>> sizes{{8},      {8, 8},   {16, 8},  {16, 16},
                                           {24, 16}, {32, 16}, {32, 32}, {64, 32}};
 
+/// Frames of one kind to judge networks on.
+struct Judged {
+    std::string condition;
+    std::vector<FeatureTable> rows;  ///< (world)
+};
+
 /// What the sizes are judged on.
 struct Recorded {
     Dataset one_frame;
-    std::vector<Split> splits;             ///< (world)
-    std::vector<FeatureTable> rerecorded;  ///< (world)
+    std::vector<Split> splits;   ///< (world)
+    std::vector<Judged> judged;  ///< nominal, then every condition of the experiment
+    std::size_t rerecorded = 0;  ///< which of them
     Measurement measurement;
 };
 
@@ -31,12 +38,13 @@ FeatureTable rows_of_world(const FeatureTable& rows, int world) {
     return select_rows_where(rows, [&](std::size_t i) { return rows.world[i] == world; });
 }
 
-const Condition& second_condition(const Experiment& experiment) {
-    for (const Condition& condition : experiment.conditions)
-        if (condition.name == "rerecorded") return condition;
+/// Place of the second condition to judge on: "rerecorded", or the first there is.
+std::size_t second_condition(const Experiment& experiment) {
+    for (std::size_t i = 0; i < experiment.conditions.size(); ++i)
+        if (experiment.conditions[i].name == "rerecorded") return i;
     if (experiment.conditions.empty())
         throw InputError(experiment.file + ": has no [[condition]] to judge networks on; add one");
-    return experiment.conditions.front();
+    return 0;
 }
 
 Dataset first_frame(const Dataset& dataset) {
@@ -49,50 +57,91 @@ Dataset first_frame(const Dataset& dataset) {
 Recorded record_for(const Experiment& experiment, const LatencyRequest& request,
                     const Catalogue& catalogue) {
     const Bench bench = bench_of(experiment, catalogue.materials);
-    const Condition& again = second_condition(experiment);
-    Progress progress("Simulating", "sessions",
-                      session_count(experiment.training, experiment.population, request.worlds) +
-                          session_count(again, experiment.population, request.worlds));
-    const Dataset training =
-        generate(bench, experiment.training, request.worlds, request.threads, &progress.done());
-    const Dataset second =
-        generate(bench, again, request.worlds, request.threads, &progress.done());
-    const FeatureTable rows = extract_features(training, experiment.descriptor, request.threads);
-    const FeatureTable others = extract_features(second, experiment.descriptor, request.threads);
-    Recorded recorded{.one_frame = first_frame(training),
+    Recorded recorded{.one_frame = {},
                       .splits = {},
-                      .rerecorded = {},
+                      .judged = {{"nominal", {}}},
+                      .rerecorded = 1 + second_condition(experiment),
                       .measurement = measurement_of(experiment.radar, experiment.descriptor)};
+    std::size_t n_sessions =
+        session_count(experiment.training, experiment.population, request.worlds);
+    for (const Condition& condition : experiment.conditions)
+        n_sessions += session_count(condition, experiment.population, request.worlds);
+    Progress progress("Simulating", "sessions", n_sessions);
+    const auto rows_under = [&](const Condition& condition, Dataset& frames) {
+        frames = generate(bench, condition, request.worlds, request.threads, &progress.done());
+        return extract_features(frames, experiment.descriptor, request.threads);
+    };
+    Dataset frames;
+    const FeatureTable training = rows_under(experiment.training, frames);
+    recorded.one_frame = first_frame(frames);
     for (int world = 0; world < request.worlds; ++world) {
         recorded.splits.push_back(
-            split_world(rows, world, experiment.validation_share, experiment.seed));
-        recorded.rerecorded.push_back(rows_of_world(others, world));
+            split_world(training, world, experiment.validation_share, experiment.seed));
+        recorded.judged.front().rows.push_back(recorded.splits.back().validation);
+    }
+    for (const Condition& condition : experiment.conditions) {
+        const FeatureTable rows = rows_under(condition, frames);
+        recorded.judged.push_back({condition.name, {}});
+        for (int world = 0; world < request.worlds; ++world)
+            recorded.judged.back().rows.push_back(rows_of_world(rows, world));
     }
     return recorded;
 }
 
-std::vector<std::uint8_t> integer_labels(const Model& model, fw_int_width width,
-                                         const FeatureTable& rows) {
+/// What a network says about rows.
+struct Answers {
+    std::vector<std::uint8_t> label;
+    std::size_t n_clipped = 0;  ///< rows with an input beyond the integers' reach
+};
+
+Answers integer_answers(const Model& model, fw_int_width width, const FeatureTable& rows) {
     const IntegerModel integers = quantise(model, width);
     const fw_int_mlp mlp = integers.view();
     std::vector<float> scratch(fw_int_mlp_scratch(&mlp) / sizeof(float)), logits(model.n_classes());
-    std::vector<std::uint8_t> labels;
+    Answers answers;
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        SPECULA_EXPECT(fw_int_mlp_run(&mlp, rows.row(i).data(), scratch.data(),
-                                      scratch.size() * sizeof(float), logits.data(),
-                                      nullptr) == FW_OK);
-        labels.push_back(static_cast<std::uint8_t>(
+        const float* const row = rows.row(i).data();
+        SPECULA_EXPECT(fw_int_mlp_run(&mlp, row, scratch.data(), scratch.size() * sizeof(float),
+                                      logits.data(), nullptr) == FW_OK);
+        answers.label.push_back(static_cast<std::uint8_t>(
             fw_argmax(logits.data(), static_cast<std::uint16_t>(logits.size()))));
+        answers.n_clipped += fw_int_clipped(&mlp, row) > 0;
     }
-    return labels;
+    return answers;
 }
 
-double f1_of(const Model& model, fw_arithmetic arithmetic, const FeatureTable& rows) {
-    const std::vector<std::uint8_t> labels =
-        arithmetic == FW_ARITHMETIC_FLOAT
-            ? predict(fold(model), rows).label
-            : integer_labels(model, arithmetic == FW_ARITHMETIC_INT8 ? FW_INT8 : FW_INT16, rows);
-    return macro_f1(confusion_of(rows.label, labels, model.n_classes()));
+Answers answers_of(const Model& model, fw_arithmetic arithmetic, const FeatureTable& rows) {
+    if (arithmetic == FW_ARITHMETIC_FLOAT) return {predict(fold(model), rows).label, 0};
+    return integer_answers(model, arithmetic == FW_ARITHMETIC_INT8 ? FW_INT8 : FW_INT16, rows);
+}
+
+/// One kind of frames in one arithmetic, over all worlds.
+struct Outcome {
+    Agreement agreement;
+    std::vector<double> f1_per_world;
+};
+
+Outcome judge(const std::vector<Model>& models, fw_arithmetic arithmetic, const Judged& judged) {
+    Outcome outcome;
+    outcome.agreement.condition = judged.condition;
+    double frames = 0.0, same = 0.0, clipped = 0.0;
+    for (std::size_t world = 0; world < models.size(); ++world) {
+        const FeatureTable& rows = judged.rows[world];
+        const Answers here = answers_of(models[world], arithmetic, rows);
+        const Answers real = answers_of(models[world], FW_ARITHMETIC_FLOAT, rows);
+        const auto f1 = [&](const Answers& answers) {
+            return macro_f1(
+                confusion_of(rows.label, answers.label, models[world].class_names.size()));
+        };
+        outcome.f1_per_world.push_back(f1(here));
+        outcome.agreement.f1_change += (f1(here) - f1(real)) / static_cast<double>(models.size());
+        for (std::size_t i = 0; i < rows.size(); ++i) same += here.label[i] == real.label[i];
+        clipped += static_cast<double>(here.n_clipped);
+        frames += static_cast<double>(rows.size());
+    }
+    outcome.agreement.same_label = same / frames;
+    outcome.agreement.clipped = clipped / frames;
+    return outcome;
 }
 
 std::size_t multiplications(const Model& model) {
@@ -112,11 +161,11 @@ LatencyPoint measure_point(const std::vector<Model>& models, const Variant& vari
     point.model_bytes = model_blob(models.front(), variant.arithmetic).size();
     point.instructions = network.instructions + softmax.instructions;
     point.cycles = network.cycles + softmax.cycles;
-    for (std::size_t world = 0; world < models.size(); ++world) {
-        point.nominal_per_world.push_back(
-            f1_of(models[world], variant.arithmetic, recorded.splits[world].validation));
-        point.rerecorded_per_world.push_back(
-            f1_of(models[world], variant.arithmetic, recorded.rerecorded[world]));
+    for (std::size_t i = 0; i < recorded.judged.size(); ++i) {
+        const Outcome outcome = judge(models, variant.arithmetic, recorded.judged[i]);
+        point.agreement.push_back(outcome.agreement);
+        if (i == 0) point.nominal_per_world = outcome.f1_per_world;
+        if (i == recorded.rerecorded) point.rerecorded_per_world = outcome.f1_per_world;
     }
     return point;
 }

@@ -11,6 +11,14 @@
 
 namespace specula {
 
+/// How the answers of a network in some arithmetic compare with those of the same in float32.
+struct Agreement {
+    std::string condition;    ///< "nominal" or the name of one
+    double f1_change = 0.0;   ///< macro-F1 minus that in float32, mean over worlds
+    double same_label = 0.0;  ///< share of frames with the same label
+    double clipped = 0.0;     ///< share of frames with an input beyond the integers' reach
+};
+
 /// One network in one arithmetic: what it costs, and how well it names materials.
 struct LatencyPoint {
     std::vector<int> hidden;
@@ -23,6 +31,7 @@ struct LatencyPoint {
     Interval nominal, rerecorded;
     /// Against the largest network in float32, world by world.
     PairedDifference nominal_loss, rerecorded_loss;
+    std::vector<Agreement> agreement;  ///< nominal, then every condition of the experiment
 };
 
 struct LatencyStudy {
@@ -42,7 +51,8 @@ struct LatencyRequest {
 /// measures each on the emulated target.
 ///
 /// Every size sees the same worlds, frames and stream of random numbers. Judged on the frames held
-/// back and on the condition named "rerecorded" (or the first there is).
+/// back and on the condition named "rerecorded" (or the first there is); integers are compared with
+/// float32 under every condition, since it is far from the training rows that they part.
 LatencyStudy study_latency(const LatencyRequest& request, const Catalogue& catalogue,
                            const Workplace& place);
 

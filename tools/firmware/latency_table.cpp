@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "sim/core/format.hpp"
 #include "tools/firmware/latency_study.hpp"
 #include "tools/report/csv_table.hpp"
@@ -29,6 +31,76 @@ std::string points_of(const PairedDifference& difference) {
                   100.0 * difference.value.low, 100.0 * difference.value.high);
 }
 
+/// Columns as wide as their widest cell, two spaces between.
+class TextTable {
+  public:
+    explicit TextTable(std::vector<std::string> head) { add(std::move(head)); }
+
+    void add(std::vector<std::string> row) {
+        width_.resize(std::max(width_.size(), row.size()));
+        for (std::size_t i = 0; i < row.size(); ++i) width_[i] = std::max(width_[i], row[i].size());
+        rows_.push_back(std::move(row));
+    }
+    std::string text() const {
+        std::string text;
+        for (const auto& row : rows_) {
+            for (std::size_t i = 0; i + 1 < row.size(); ++i)
+                text += format("{:<{}}  ", row[i], width_[i]);
+            text += row.back() + "\n";
+        }
+        return text;
+    }
+
+  private:
+    std::vector<std::vector<std::string>> rows_;
+    std::vector<std::size_t> width_;
+};
+
+/// Integers against float32: all is well near the training rows, and little far from them.
+std::string agreement_text(const LatencyStudy& study) {
+    std::vector<std::string> head{"network", "arithmetic"};
+    for (const Agreement& agreement : study.points.front().agreement)
+        head.push_back(agreement.condition);
+    TextTable table(head);
+    for (const LatencyPoint& point : study.points) {
+        if (point.arithmetic == "float32") continue;
+        std::vector<std::string> row{shape_of(point), point.arithmetic};
+        for (const Agreement& agreement : point.agreement)
+            row.push_back(format("{:.1f} ({:+.1f}) {:.1f}", 100.0 * agreement.same_label,
+                                 100.0 * agreement.f1_change, 100.0 * agreement.clipped));
+        table.add(row);
+    }
+    return "Integers against the same network in float32: frames with the same label in percent "
+           "(change of\nmacro-F1 in points), frames with an input beyond the integers' reach of 6 "
+           "sigma in percent.\n\n" +
+           table.text();
+}
+
+std::vector<std::string> csv_head(const LatencyStudy& study) {
+    std::vector<std::string> head{"network",
+                                  "arithmetic",
+                                  "multiplications",
+                                  "model_bytes",
+                                  "instructions",
+                                  "cycles_low",
+                                  "cycles_high",
+                                  "us_low",
+                                  "us_high",
+                                  "fits_20_us",
+                                  "nominal_macro_f1",
+                                  "rerecorded_macro_f1",
+                                  "nominal_loss",
+                                  "nominal_loss_low",
+                                  "nominal_loss_high",
+                                  "rerecorded_loss",
+                                  "rerecorded_loss_low",
+                                  "rerecorded_loss_high"};
+    for (const Agreement& agreement : study.points.front().agreement)
+        for (const char* what : {"same_label", "f1_change", "clipped"})
+            head.push_back(format("{}_{}", agreement.condition, what));
+    return head;
+}
+
 }  // namespace
 
 std::string latency_text(const LatencyStudy& study) {
@@ -39,26 +111,20 @@ std::string latency_text(const LatencyStudy& study) {
         "at "
         "160 MHz: an ESTIMATE (specula verify-firmware says how).\n\n",
         study.worlds, study.experiment, study.epochs);
-    text += format("{:<12}{:<9}{:>6}{:>8}{:>7}{:>15}  {:<8} {:<20}{:<20}{:<20}{:<20}\n", "network",
-                   "", "MACs", "bytes", "insn", "us", "<= 20 us", "nominal", "re-recorded",
-                   "loss, nominal", "loss, re-recorded");
+    TextTable table({"network", "arithmetic", "MACs", "bytes", "insn", "us", "<= 20 us", "nominal",
+                     "re-recorded", "loss, nominal", "loss, re-recorded"});
     for (const LatencyPoint& point : study.points)
-        text += format("{:<12}{:<9}{:>6}{:>8}{:>7.0f}{:>15}  {:<8} {:<20}{:<20}{:<20}{:<20}\n",
-                       shape_of(point), point.arithmetic, point.n_multiplications,
-                       point.model_bytes, point.instructions,
-                       format("{:.1f} to {:.1f}", point.cycles.low / cycles_per_us,
-                              point.cycles.high / cycles_per_us),
-                       fit_of(point), percent(point.nominal), percent(point.rerecorded),
-                       points_of(point.nominal_loss), points_of(point.rerecorded_loss));
-    return text;
+        table.add({shape_of(point), point.arithmetic, format("{}", point.n_multiplications),
+                   format("{}", point.model_bytes), format("{:.0f}", point.instructions),
+                   format("{:.1f} to {:.1f}", point.cycles.low / cycles_per_us,
+                          point.cycles.high / cycles_per_us),
+                   fit_of(point), percent(point.nominal), percent(point.rerecorded),
+                   points_of(point.nominal_loss), points_of(point.rerecorded_loss)});
+    return text + table.text() + "\n" + agreement_text(study);
 }
 
 std::string latency_csv(const LatencyStudy& study) {
-    CsvTable table({"network", "arithmetic", "multiplications", "model_bytes", "instructions",
-                    "cycles_low", "cycles_high", "us_low", "us_high", "fits_20_us",
-                    "nominal_macro_f1", "rerecorded_macro_f1", "nominal_loss", "nominal_loss_low",
-                    "nominal_loss_high", "rerecorded_loss", "rerecorded_loss_low",
-                    "rerecorded_loss_high"});
+    CsvTable table(csv_head(study));
     for (const LatencyPoint& point : study.points) {
         std::vector<std::string> row{shape_of(point), point.arithmetic};
         for (const std::size_t count : {point.n_multiplications, point.model_bytes})
@@ -74,6 +140,10 @@ std::string latency_csv(const LatencyStudy& study) {
               point.rerecorded_loss.value.mean, point.rerecorded_loss.value.low,
               point.rerecorded_loss.value.high})
             row.push_back(format("{:.6g}", value));
+        for (const Agreement& agreement : point.agreement)
+            for (const double value :
+                 {agreement.same_label, agreement.f1_change, agreement.clipped})
+                row.push_back(format("{:.6g}", value));
         table.add(row);
     }
     return table.text();

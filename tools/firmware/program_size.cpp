@@ -1,5 +1,6 @@
 #include "tools/firmware/program_size.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <set>
@@ -29,6 +30,7 @@ void add_section(const std::string& section, std::size_t bytes, ModuleSize& size
 
 struct Frame {
     std::size_t bytes = 0;
+    bool is_defined = false;  ///< here, not just called
     std::set<std::string> calls;
 };
 using CallGraph = std::map<std::string, Frame>;
@@ -40,8 +42,9 @@ void read_node(const std::string& line, const std::string& file, CallGraph& grap
     if (size.find(" bytes (") == std::string::npos) return;  // a function of another file
     if (size.find("(dynamic)") != std::string::npos)
         throw SystemError(format("{}: a frame of unbounded size: {}", file, label));
-    graph[between(line, "title: \"", "\"")].bytes =
-        static_cast<std::size_t>(std::strtoul(size.c_str(), nullptr, 10));
+    Frame& frame = graph[between(line, "title: \"", "\"")];
+    frame.bytes = static_cast<std::size_t>(std::strtoul(size.c_str(), nullptr, 10));
+    frame.is_defined = true;
 }
 
 CallGraph read_call_graph(const fs::path& folder) {
@@ -105,6 +108,40 @@ std::map<std::string, ModuleSize> read_module_sizes(const fs::path& map_file) {
 StackDepth deepest_stack(const fs::path& folder, const std::string& function) {
     std::vector<std::string> above;
     return descend(read_call_graph(folder), function, above);
+}
+
+std::vector<StackDepth> public_stacks(const fs::path& folder) {
+    const CallGraph graph = read_call_graph(folder);
+    std::vector<StackDepth> depths;
+    for (const auto& [function, frame] : graph) {
+        const bool is_public = function.rfind("fw_", 0) == 0 &&  // static: "folder/file.c:name"
+                               function.find(':') == std::string::npos && frame.is_defined;
+        std::vector<std::string> above;
+        if (is_public) depths.push_back(descend(graph, function, above));
+    }
+    std::ranges::stable_sort(depths, std::ranges::greater{}, &StackDepth::bytes);
+    return depths;
+}
+
+std::vector<std::string> foreign_symbols(const std::string& symbols) {
+    std::set<std::string> called, held;
+    std::istringstream lines(symbols);
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream words(line);
+        std::string first, kind, name;
+        if (!(words >> first >> kind)) continue;  // the name of a member, or nothing
+        if (first == "U")
+            called.insert(kind);
+        else if (words >> name)
+            held.insert(name);
+    }
+    std::vector<std::string> foreign;
+    std::ranges::set_difference(called, held, std::back_inserter(foreign));
+    return foreign;
+}
+
+bool is_allowed_foreign(const std::string& symbol) {
+    return symbol == "memcmp" || symbol == "memcpy" || symbol == "memset";
 }
 
 }  // namespace specula

@@ -29,4 +29,16 @@ struct StackDepth {
 /// Throws SystemError for recursion, for a frame of unbounded size, and where there are no files.
 StackDepth deepest_stack(const std::filesystem::path& folder, const std::string& function);
 
+/// The same of every function of the library that others can call ("fw_" and not static), the
+/// deepest first, of equals by name: whoever starts a task gives it what the first of those it
+/// calls needs. An interrupt puts up to 104 bytes (with the float registers) on top.
+std::vector<StackDepth> public_stacks(const std::filesystem::path& folder);
+
+/// Functions that a library calls and does not hold, sorted.
+/// @in  symbols  what nm prints of its members
+std::vector<std::string> foreign_symbols(const std::string& symbols);
+
+/// What firmware/README.md says the compiler may call, and nothing else.
+bool is_allowed_foreign(const std::string& symbol);
+
 }  // namespace specula

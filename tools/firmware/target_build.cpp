@@ -31,7 +31,10 @@ TargetBuild build_for_target(const fs::path& home, const fs::path& folder) {
                    {},
                    "cmake"});
     output_of({{"cmake", "--build", folder.string(), "--target", "fw_runner"}, {}, "cmake"});
-    return {.program = folder / "fw_runner.elf", .map = folder / "fw_runner.map", .folder = folder};
+    return {.program = folder / "fw_runner.elf",
+            .map = folder / "fw_runner.map",
+            .library = folder / "libspecula_firmware.a",
+            .folder = folder};
 }
 
 std::string emulate(const TargetBuild& build, const Emulation& emulation) {

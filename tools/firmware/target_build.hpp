@@ -11,7 +11,8 @@ namespace specula {
 struct TargetBuild {
     std::filesystem::path program;
     std::filesystem::path map;
-    std::filesystem::path folder;  ///< holds the compiler's .ci files, somewhere below
+    std::filesystem::path library;  ///< libspecula_firmware.a
+    std::filesystem::path folder;   ///< holds the compiler's .ci files, somewhere below
 };
 
 /// Compiles what has changed.

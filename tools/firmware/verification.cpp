@@ -19,7 +19,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t head_bytes = 36;  // of a record: five counts and four scores
+constexpr std::size_t record_counts = 7, record_scores = 4;  // firmware/port/fw_runner.c
+constexpr std::size_t head_bytes = 4 * (record_counts + record_scores);
+
+/// Places of counts in a record.
+enum RecordCount { count_status, count_saturated, count_dead, count_bins, count_inputs };
+constexpr std::size_t count_suspicious = record_counts - 1;
 
 std::string content_of(const fs::path& file) {
     std::ifstream stream(file, std::ios::binary);
@@ -81,8 +86,9 @@ void append_record(const fw_model& model, const fw_frame& frame, std::vector<flo
         fw_classify(&model, &frame, scratch.data(), scratch.size() * sizeof(float), &result);
     for (const std::uint32_t count :
          {static_cast<std::uint32_t>(status), result.quality.n_saturated,
-          result.quality.n_dead_rows, static_cast<std::uint32_t>(result.label),
-          result.suspicious ? 1u : 0u})
+          result.quality.n_dead_rows, result.n_saturated_bins,
+          static_cast<std::uint32_t>(result.n_clipped_inputs),
+          static_cast<std::uint32_t>(result.label), result.suspicious ? 1u : 0u})
         put(records, count);
     for (const float score : {result.probability, result.max_logit, result.energy, result.squared})
         put(records, score);
@@ -101,11 +107,22 @@ std::string records_of_library(const std::vector<std::uint8_t>& blob, const Data
     return records;
 }
 
-std::size_t count_failed(const std::string& records, const RecordShape& shape) {
+/// Frames in which one of the counts is not 0.
+std::size_t count_nonzero(const std::string& records, const RecordShape& shape, std::size_t which) {
     std::size_t n = 0;
-    for (std::size_t at = 0; at < records.size(); at += shape.bytes())
-        n += fw_read_u32(reinterpret_cast<const std::uint8_t*>(records.data()) + at) != FW_OK;
+    for (std::size_t at = 4 * which; at < records.size(); at += shape.bytes())
+        n += fw_read_u32(reinterpret_cast<const std::uint8_t*>(records.data()) + at) != 0;
     return n;
+}
+
+FrameFlags flags_in(const std::string& records, const RecordShape& shape) {
+    const auto count = [&](std::size_t which) { return count_nonzero(records, shape, which); };
+    return {.refused = count(count_status),
+            .saturated = count(count_saturated),
+            .dead = count(count_dead),
+            .cut_bins = count(count_bins),
+            .clipped_inputs = count(count_inputs),
+            .suspicious = count(count_suspicious)};
 }
 
 std::vector<std::uint8_t> blob_of(Model model, const Variant& variant) {
@@ -143,7 +160,7 @@ VariantResult verify_variant(const VerifyInput& input, const Variant& variant,
     VariantResult result{.variant = variant,
                          .n_frames = host.size() / shape.bytes(),
                          .n_uart_bytes = host_uart.size(),
-                         .n_failed = count_failed(host, shape),
+                         .flags = flags_in(host, shape),
                          .host_target = {},
                          .host_library = {}};
     result.host_target = compare_records(host, content_of(place.folder / "target.records"), shape);
@@ -214,7 +231,10 @@ Verification verify_firmware(const VerifyInput& input, const Workplace& place) {
         verification.stages[variants[i].name] =
             measure_stages(build, place.folder, input.model, variants[i]);
     verification.modules = read_module_sizes(build.map);
-    verification.stack = deepest_stack(build.folder, "fw_classify");
+    const fs::path library = build.folder / "CMakeFiles/specula_firmware.dir";
+    verification.stacks = public_stacks(library);
+    verification.foreign = foreign_symbols(
+        output_of({{"arm-none-eabi-nm", build.library.string()}, {}, "binutils-arm-none-eabi"}));
     const std::vector<std::uint8_t> blob = blob_of(input.model, variants.front());
     fw_model model;
     SPECULA_EXPECT(fw_model_open(blob.data(), blob.size(), &model) == FW_OK);

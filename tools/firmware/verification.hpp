@@ -30,13 +30,23 @@ struct Mismatches {
     std::size_t total() const { return features + logits + probabilities + rest + uart_bytes; }
 };
 
+/// Frames of which the firmware said something, on the host.
+struct FrameFlags {
+    std::size_t refused = 0;         ///< a status that was not FW_OK
+    std::size_t saturated = 0;       ///< samples at a limit of the converter
+    std::size_t dead = 0;            ///< rows whose samples are all equal
+    std::size_t cut_bins = 0;        ///< bins cut off in the HWA-like transform
+    std::size_t clipped_inputs = 0;  ///< features beyond an integer network's reach
+    std::size_t suspicious = 0;      ///< any of these, or unlike the training rows
+};
+
 struct VariantResult {
     Variant variant;
     std::size_t n_frames = 0;
     std::size_t n_uart_bytes = 0;
-    std::size_t n_failed = 0;  ///< frames whose status was not FW_OK, on the host
-    Mismatches host_target;    ///< the host's runner against the emulated Cortex-M4F
-    Mismatches host_library;   ///< the host's runner against the library inside this program
+    FrameFlags flags;
+    Mismatches host_target;   ///< the host's runner against the emulated Cortex-M4F
+    Mismatches host_library;  ///< the host's runner against the library inside this program
 };
 
 /// One stage of the firmware on the target.
@@ -50,7 +60,8 @@ struct Verification {
     /// (arithmetic's name, stage) -> cost; the float network's run also has all other stages.
     std::map<std::string, std::map<std::string, StageCost>> stages;
     std::map<std::string, ModuleSize> modules;
-    StackDepth stack;  ///< of fw_classify
+    std::vector<StackDepth> stacks;    ///< of every public function, the deepest first
+    std::vector<std::string> foreign;  ///< functions that the library needs from elsewhere
     std::size_t model_bytes = 0, scratch_bytes = 0;
 
     std::size_t mismatches() const;

@@ -3,12 +3,15 @@
 #include <algorithm>
 
 #include "classifier/extract_features.hpp"
+#include "classifier/model_blob.hpp"
 #include "classifier/model_file.hpp"
+#include "classifier/same_measurement.hpp"
 #include "classifier/train.hpp"
 #include "sim/core/error.hpp"
 #include "sim/core/format.hpp"
 #include "sim/generate.hpp"
 #include "sim/recording/import_recording.hpp"
+#include "tools/firmware/verification.hpp"
 #include "tools/study/experiment.hpp"
 #include "tools/study/progress.hpp"
 
@@ -97,21 +100,19 @@ Dataset load_frames(const VerifyRequest& request) {
                : import_recording("injection", request.dataset, {}).dataset;
 }
 
-void check_fit(const VerifyInput& input, const VerifyRequest& request) {
-    if (!input.model.measurement)
-        throw InputError(
-            format("{}: does not say which chirp it was trained on; train it again "
-                   "with specula study",
-                   request.model.string()));
-    const fw_chirp& chirp = input.model.measurement->chirp;
-    const Dataset& frames = input.frames;
-    if (chirp.n_samples != frames.n_samples || chirp.n_rx != frames.n_rx ||
-        chirp.n_chirps != frames.n_chirps)
-        throw InputError(format(
-            "{}: was trained on frames of {} chirps, {} antennas and {} samples, but {} has {}, {} "
-            "and {}; name a model of that radar, or none",
-            request.model.string(), chirp.n_chirps, chirp.n_rx, chirp.n_samples, input.frames_are,
-            frames.n_chirps, frames.n_rx, frames.n_samples));
+void check_fit(const VerifyInput& input, const VerifyRequest& request, const Catalogue& catalogue) {
+    try {
+        for (const Variant& variant : all_variants()) model_blob(input.model, variant.arithmetic);
+    } catch (const InputError& error) {
+        throw InputError(format("{}: {}", input.model_is, error.what()));
+    }
+    try {
+        expect_same_measurement(
+            *input.model.measurement, input.frames,
+            request.model.empty() ? std::nullopt : known_radar(input.frames, catalogue));
+    } catch (const InputError& error) {
+        throw InputError(format("{}: {}", input.frames_are, error.what()));
+    }
 }
 
 }  // namespace
@@ -141,7 +142,7 @@ VerifyInput prepare_verification(const VerifyRequest& request, const Catalogue& 
         input.model = read_model(request.model);
         input.model_is = request.model.string();
     }
-    check_fit(input, request);
+    check_fit(input, request, catalogue);
     return input;
 }
 

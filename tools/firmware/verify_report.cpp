@@ -30,15 +30,25 @@ std::string comparison_table(const Verification& verification) {
     text += "Mismatches, host build against the library inside this program:\n" + head;
     for (const VariantResult& result : verification.variants)
         text += mismatch_row(result.variant.name, result, result.host_library);
-    std::size_t uart = 0, failed = 0;
+    std::size_t uart = 0;
+    for (const VariantResult& result : verification.variants) uart += result.n_uart_bytes;
+    return text + format("  {} UART bytes in all; the self-test passed on both machines\n", uart);
+}
+
+std::string flag_table(const Verification& verification) {
+    std::string text = format(
+        "Frames the firmware warned of:\n  {:<28}{:>8}{:>8}{:>10}{:>10}{:>10}{:>9}{:>12}\n", "",
+        "frames", "refused", "saturated", "dead rows", "cut bins", "clipped", "suspicious");
     for (const VariantResult& result : verification.variants) {
-        uart += result.n_uart_bytes;
-        failed += result.n_failed;
+        const FrameFlags& flags = result.flags;
+        text += format("  {:<28}{:>8}{:>8}{:>10}{:>10}{:>10}{:>9}{:>12}\n", result.variant.name,
+                       result.n_frames, flags.refused, flags.saturated, flags.dead, flags.cut_bins,
+                       flags.clipped_inputs, flags.suspicious);
     }
-    return text + format(
-                      "  {} UART bytes in all; {} frames refused by the firmware; the self-test "
-                      "passed on both machines\n",
-                      uart, failed);
+    return text +
+           "  saturated: samples at a limit of the converter; cut bins: beyond the HWA-like\n"
+           "  transform's integers; clipped: inputs beyond the reach of an integer network;\n"
+           "  suspicious: any of these, or unlike the rows the model was trained on.\n";
 }
 
 std::string stage_row(const std::string& stage, const StageCost& cost) {
@@ -57,7 +67,9 @@ std::string stage_table(const Verification& verification) {
         text += stage_row(format("network, {}", arithmetic),
                           verification.stages.at(arithmetic).at("network"));
     return text +
-           "  Instructions are counted by QEMU and exact. Cycles and times are an ESTIMATE: the\n"
+           "  Instructions are counted by QEMU, on the first frame; branches of hwa_fft,\n"
+           "  mahalanobis and the networks depend on the data by a few in a thousand. Cycles and\n"
+           "  times are an ESTIMATE: the\n"
            "  executed instructions, priced between the best and the worst case of Arm's "
            "Cortex-M4\n"
            "  manual, without wait states; never measured on the chip, which has no cycle "
@@ -77,13 +89,27 @@ std::string size_table(const Verification& verification) {
         sum.ram += size.ram;
     }
     text += format("  {:<28}{:>8}{:>11}{:>7}\n", "together", sum.code, sum.constants, sum.ram);
-    text += format("  model blob {}, scratch {}, deepest stack {} (", verification.model_bytes,
-                   verification.scratch_bytes, verification.stack.bytes);
-    for (std::size_t i = 0; i < verification.stack.path.size(); ++i) {
-        const std::string& function = verification.stack.path[i];
-        text += (i == 0 ? "" : " > ") + function.substr(function.rfind(':') + 1);
-    }
-    return text + ")\n";
+    text += format("  model blob {}, scratch of fw_classify {}; from a C library:",
+                   verification.model_bytes, verification.scratch_bytes);
+    for (const std::string& symbol : verification.foreign) text += " " + symbol;
+    return text + "\n";
+}
+
+std::string path_of(const StackDepth& depth) {
+    std::string text;
+    for (const std::string& function : depth.path)
+        text += (text.empty() ? "" : " > ") + function.substr(function.rfind(':') + 1);
+    return text;
+}
+
+std::string stack_table(const Verification& verification) {
+    std::string text =
+        "Deepest stack below each function, bytes, from the compiler's frames and calls:\n";
+    for (const StackDepth& depth : verification.stacks)
+        text += format("  {:>6}  {}\n", depth.bytes, path_of(depth));
+    return text +
+           "  Nothing recurses. memcpy, memset and memcmp count 0; an interrupt takes up to 104\n"
+           "  bytes more.\n";
 }
 
 }  // namespace
@@ -92,8 +118,9 @@ std::string verify_report(const VerifyInput& input, const Verification& verifica
     return format("{} frames of {} x {} x {} (chirps, antennas, samples), {}\nnetwork {}, {}\n\n",
                   input.frames.n_frames(), input.frames.n_chirps, input.frames.n_rx,
                   input.frames.n_samples, input.frames_are, shape_of(input.model), input.model_is) +
-           comparison_table(verification) + "\n" + stage_table(verification) + "\n" +
-           size_table(verification);
+           comparison_table(verification) + "\n" + flag_table(verification) + "\n" +
+           stage_table(verification) + "\n" + size_table(verification) + "\n" +
+           stack_table(verification);
 }
 
 }  // namespace specula

@@ -92,7 +92,7 @@ void add_export_recording(CLI::App& program, ExportRecordingArguments& arguments
              {"dca1000", "Codes as a capture card stores them"},
              {"rdif", "12-bit codes as the IWRL6432 sends them over RDIF, swizzle mode 2"},
              {"injection", "Codes for TI's demo to read instead of its ADC (adcDataSource)"},
-             {"uart", "Range profiles as TI's demos send them (TLV 302), with answers (TLV 1031)"},
+             {"uart", "Range profiles in the firmware's counts (TLV 302), with answers (TLV 1031)"},
              {"infineon", "Codes as a folder of radar.npy and config.json"},
              {"npy", "Codes, or features where there are none, as NumPy's array"},
              {"csv", "Features and labels as a table"}}) {
@@ -106,7 +106,9 @@ void add_export_recording(CLI::App& program, ExportRecordingArguments& arguments
             ->required()
             ->type_name("FILE");
         if (name == "uart")
-            command->add_option("--model", arguments.model, "whose answers go along (TLV 1031)")
+            command
+                ->add_option("--model", arguments.model,
+                             "whose answers go along (TLV 1031); profiles then pass its window")
                 ->type_name("FILE");
         if (name == "infineon")
             command

@@ -153,6 +153,7 @@ struct ExportModelArguments {
     std::filesystem::path blob;  ///< files to write; empty: none
     std::filesystem::path c_source;
     std::filesystem::path onnx;
+    std::string symbol;                ///< of the C array; empty: fw_model_ and the C file's name
     std::string arithmetic = "float";  ///< of blob and C array: "float", "int16" or "int8"
 };
 void export_model_command(const ExportModelArguments& arguments);

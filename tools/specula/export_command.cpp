@@ -1,5 +1,7 @@
 #include <cstdio>
+#include <map>
 
+#include "classifier/export_c.hpp"
 #include "classifier/export_onnx.hpp"
 #include "classifier/model_blob.hpp"
 #include "classifier/model_file.hpp"
@@ -28,6 +30,33 @@ void write(const std::filesystem::path& file, const std::string& content) {
     std::printf("wrote %s, %zu bytes\n", file.c_str(), content.size());
 }
 
+/// Each output must have a file of its own: the second would replace the first.
+void check_files_differ(const ExportModelArguments& arguments) {
+    std::map<std::filesystem::path, const char*> taken;
+    for (const auto& [option, file] :
+         {std::pair{"--blob", arguments.blob}, std::pair{"--c", arguments.c_source},
+          std::pair{"--onnx", arguments.onnx}}) {
+        if (file.empty()) continue;
+        const auto [found, is_new] = taken.emplace(std::filesystem::weakly_canonical(file), option);
+        if (!is_new)
+            throw InputError(format("{} = {}: is the file of {} too; give each a file of its own",
+                                    option, file.string(), found->second));
+    }
+}
+
+/// The name of the array: two models in one program need two.
+std::string symbol_of(const ExportModelArguments& arguments) {
+    if (!arguments.symbol.empty()) return arguments.symbol;
+    constexpr std::size_t longest = 32;  // check_c_name
+    std::string name = "fw_model_";
+    for (const char c : arguments.c_source.stem().string()) {
+        const bool is_upper = c >= 'A' && c <= 'Z';
+        const bool is_plain = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+        name += is_upper ? static_cast<char>(c - 'A' + 'a') : is_plain ? c : '_';
+    }
+    return name.substr(0, longest);
+}
+
 /// What can go wrong is in the model: the message then begins with its file.
 template <typename Make>
 auto made_from(const ExportModelArguments& arguments, Make make) {
@@ -45,6 +74,8 @@ void export_model_command(const ExportModelArguments& arguments) {
         throw InputError("export model: nothing to write; give --blob, --c or --onnx with a file");
     for (const auto& out : {arguments.blob, arguments.c_source, arguments.onnx})
         if (!out.empty()) prepare_output(out, {arguments.model});
+    check_files_differ(arguments);
+    if (!arguments.symbol.empty()) check_c_name(arguments.symbol);
     const Model model = read_model(arguments.model);
     // Everything is made before anything is written.
     std::vector<std::uint8_t> blob;
@@ -52,7 +83,7 @@ void export_model_command(const ExportModelArguments& arguments) {
     if (!arguments.blob.empty() || !arguments.c_source.empty())
         blob = made_from(arguments,
                          [&] { return model_blob(model, arithmetic_of(arguments.arithmetic)); });
-    if (!arguments.c_source.empty()) c_source = blob_as_c(blob, "fw_model_blob");
+    if (!arguments.c_source.empty()) c_source = blob_as_c(blob, symbol_of(arguments));
     const std::vector<std::uint8_t> onnx =
         arguments.onnx.empty() ? std::vector<std::uint8_t>{} : export_onnx(model);
 

@@ -5,8 +5,12 @@
 #include <optional>
 
 #include "classifier/descriptor.hpp"
+#include "classifier/extract_features.hpp"
 #include "classifier/model_file.hpp"
 #include "classifier/predict.hpp"
+#include "classifier/same_measurement.hpp"
+#include "firmware/fw_exported_profile.h"
+#include "firmware/fw_range_profile.h"
 #include "firmware/fw_softmax.h"
 #include "sim/core/atomic_file.hpp"
 #include "sim/core/constants.hpp"
@@ -25,13 +29,28 @@ namespace {
 
 constexpr int injection_samples = 128, injection_rx = 3;  // TI's MMW_DEMO_TEST_ADC_BUFF_SIZE
 
-/// All range bins of every frame, in whole LSB as a sensor sends them.
-void add_range_profile(Dataset& dataset) {
-    const auto n_bins = static_cast<std::uint16_t>(dataset.n_samples / 2);
-    const FeatureTable table =
-        describe(dataset, descriptor_for(dataset, BinChoice{0, n_bins}), available_threads());
-    for (int bin = 0; bin < n_bins; ++bin) dataset.feature_names.push_back(format("bin {}", bin));
-    for (const float value : table.features) dataset.features.push_back(std::round(value));
+/// All range bins of every frame, in the whole numbers of the firmware (fw_exported_profile.h),
+/// through the window and the rows that the model was trained on, if there is one.
+void add_range_profile(const std::optional<Measurement>& trained, Dataset& dataset) {
+    const Descriptor fitting = descriptor_for(dataset, BinChoice{0, 1});
+    if (fitting.extractor != "range_bins")
+        throw InputError(
+            "a profile of TLV 302 is made of beat samples, and these are none; use npy or csv");
+    fw_extract_config config = trained ? trained->descriptor : fitting.bins;
+    const auto n_samples = static_cast<std::uint16_t>(dataset.n_samples);
+    config.first_bin = 0;
+    config.n_bins = static_cast<std::uint16_t>(fw_range_fft_size(n_samples) / 2);
+    const FeatureTable table = extract_features(dataset, config, available_threads());
+    fw_window_shape window;
+    SPECULA_EXPECT(fw_window_find(config.window, n_samples, &window) == FW_OK);
+    std::vector<std::uint32_t> counts(config.n_bins);
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        SPECULA_EXPECT(fw_exported_from_amplitude(&window, table.row(i).data(), config.n_bins,
+                                                  counts.data()) == FW_OK);
+        dataset.features.insert(dataset.features.end(), counts.begin(), counts.end());
+    }
+    for (int bin = 0; bin < config.n_bins; ++bin)
+        dataset.feature_names.push_back(format("bin {}", bin));
 }
 
 void add_descriptor(Dataset& dataset) {
@@ -43,8 +62,14 @@ void add_descriptor(Dataset& dataset) {
 }
 
 /// The model's answers to every frame, softmax of its logits.
-void add_answers(const std::filesystem::path& file, Dataset& dataset) {
-    const Model model = read_model(file);
+void add_answers(const Model& model, const std::filesystem::path& file, const Catalogue& catalogue,
+                 Dataset& dataset) {
+    try {
+        if (model.measurement && !dataset.adc.empty())
+            expect_same_measurement(*model.measurement, dataset, known_radar(dataset, catalogue));
+    } catch (const InputError& error) {
+        throw InputError(format("--model {}: {}", file.string(), error.what()));
+    }
     const FeatureTable rows = describe(dataset, descriptor_of(model), available_threads());
     const Predictions predictions = predict(fold(model), rows);
     const std::size_t n = predictions.n_classes;
@@ -129,8 +154,14 @@ void export_recording_command(const ExportRecordingArguments& arguments,
                               const Catalogue& catalogue) {
     Dataset dataset = read_dataset(arguments.input);
     try {
-        if (!arguments.model.empty()) add_answers(arguments.model, dataset);
-        if (arguments.what == "uart" && dataset.features.empty()) add_range_profile(dataset);
+        std::optional<Measurement> trained;
+        if (!arguments.model.empty()) {
+            const Model model = read_model(arguments.model);
+            add_answers(model, arguments.model, catalogue, dataset);
+            trained = model.measurement;
+        }
+        if (arguments.what == "uart" && dataset.features.empty())
+            add_range_profile(trained, dataset);
         if (arguments.what == "csv" && dataset.features.empty()) add_descriptor(dataset);
         warn_of_limits(arguments.what, dataset);
         warn_of_losses(arguments.what, dataset);

@@ -12,11 +12,18 @@ void add_export(CLI::App& program, ExportModelArguments& arguments) {
         "model", "Write a trained model as the firmware's blob, as C, or as ONNX");
     model->footer(
         "Example:\n  specula export model out/paper/models/world_000.json --arithmetic int16 \\\n"
-        "      --blob model.rfwm --c model.c --onnx model.onnx");
-    model->add_option("MODEL", arguments.model, "a model of a study (models/world_000.json)")
+        "      --blob model.rfwm --c bench.c --onnx model.onnx\n"
+        "  bench.c then holds fw_model_bench[] and fw_model_bench_bytes for fw_model_open.");
+    model
+        ->add_option("MODEL", arguments.model,
+                     "of specula study (models/world_000.json) or specula train")
         ->required();
     model->add_option("--blob", arguments.blob, "the bytes fw_model_open takes")->type_name("FILE");
     model->add_option("--c", arguments.c_source, "the same bytes as a C array")->type_name("FILE");
+    model
+        ->add_option("--symbol", arguments.symbol,
+                     "name of the C array; default fw_model_ and the C file's name")
+        ->type_name("NAME");
     model->add_option("--onnx", arguments.onnx, "the folded network in float32, operator set 13")
         ->type_name("FILE");
     model

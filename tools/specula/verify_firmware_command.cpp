@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 
 #include "sim/core/error.hpp"
@@ -34,10 +35,15 @@ int verify_firmware_command(const VerifyRequest& request, const Catalogue& catal
     for (const Excess& each : excess)
         say_error(format("{}: {:.0f} {}, over the budget of {:.0f} in firmware/budget.toml",
                          each.what, each.spent, each.unit, each.allowed));
+    const auto foreign = std::ranges::count_if(
+        verification.foreign, [](const auto& symbol) { return !is_allowed_foreign(symbol); });
+    if (foreign > 0)
+        say_error(format("the library needs {} functions beyond memcmp, memcpy and memset (above)",
+                         foreign));
     if (verification.mismatches() > 0)
         say_error(
             format("{} mismatches between builds of the same source", verification.mismatches()));
-    const bool good = excess.empty() && verification.mismatches() == 0;
+    const bool good = excess.empty() && foreign == 0 && verification.mismatches() == 0;
     std::printf("%s\n", good ? (default_shape ? "0 mismatches, within every budget"
                                               : "0 mismatches, within the budgets of sizes")
                              : "FAILED");

@@ -42,6 +42,30 @@ TEST_CASE("recursion and frames without a bound are refused", "[stack]") {
     CHECK_THROWS_AS(depth_of(""), SystemError);
 }
 
+TEST_CASE("every public function has its own depth, the deepest first", "[stack]") {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "x.c.ci")
+        << frame("fw_shallow", "8 bytes (static)") + frame("fw_deep", "100 bytes (static)") +
+               frame("a/x.c:fw_hidden", "400 bytes (static)") + frame("main", "90 bytes (static)") +
+               frame("fw_middle", "16 bytes (static)") + calls("fw_middle", "fw_shallow") +
+               calls("fw_deep", "a/x.c:fw_hidden") + calls("fw_deep", "fw_elsewhere");
+    const std::vector<StackDepth> depths = public_stacks(folder.path());
+    REQUIRE(depths.size() == 3);
+    CHECK(depths[0].bytes == 500);
+    CHECK(depths[0].path == std::vector<std::string>{"fw_deep", "a/x.c:fw_hidden"});
+    CHECK(depths[1].bytes == 24);
+    CHECK(depths[2].path == std::vector<std::string>{"fw_shallow"});
+}
+
+TEST_CASE("what a library calls and does not hold is foreign", "[size]") {
+    const auto foreign = foreign_symbols(
+        "\nfw_a.c.obj:\n00000000 T fw_a\n         U fw_b\n         U memcpy\n"
+        "         U __aeabi_uldivmod\n\nfw_b.c.obj:\n00000010 t static_one\n00000000 T fw_b\n");
+    CHECK(foreign == std::vector<std::string>{"__aeabi_uldivmod", "memcpy"});
+    CHECK(is_allowed_foreign("memcpy"));
+    CHECK_FALSE(is_allowed_foreign("__aeabi_uldivmod"));
+}
+
 TEST_CASE("the map's sections are summed by module, those left out are not", "[size]") {
     const TemporaryFolder folder;
     std::ofstream(folder / "x.map")
