@@ -8,7 +8,6 @@ namespace specula {
 
 namespace {
 
-constexpr double steepest_rad = 85.0 * pi / 180.0;
 
 }  // namespace
 
@@ -41,7 +40,7 @@ Condition read_condition(Section section, const Radar& radar, double nominal_hei
     }
     if (section.has_quantity("tilt", Unit::angle))
         condition.tilts_rad =
-            section.quantities("tilt", Unit::angle, 0, Range::between(-steepest_rad, steepest_rad));
+            section.quantities("tilt", Unit::angle, 0, Range::between(-steepest_tilt_rad, steepest_tilt_rad));
     condition.tilts_sensor = section.choice("tilted", {"sensor", "sample"}, "sensor") == "sensor";
     condition.elevation =
         section.choice("tilt_plane", {"azimuth", "elevation"}, "azimuth") == "elevation";

@@ -8,7 +8,6 @@ namespace specula {
 
 namespace {
 
-constexpr double steepest_rad = 85.0 * pi / 180.0;
 constexpr double least_draw = 0x1p-33;  ///< the outermost numbers that a stream gives
 
 struct Axis {
@@ -19,7 +18,7 @@ struct Axis {
 };
 
 const std::array<Axis, GeometryLaw::n_axes>& axes() {
-    static const Range tilt = Range::between(-steepest_rad, steepest_rad);
+    static const Range tilt = Range::between(-steepest_tilt_rad, steepest_tilt_rad);
     static const Range offset_m = Range::between(-10.0, 10.0);
     static const std::array<Axis, GeometryLaw::n_axes> all{{
         {"height", Unit::length, Range::inside(0.0, 100.0),

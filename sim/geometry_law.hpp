@@ -4,9 +4,13 @@
 
 #include "scenes/pose.hpp"
 #include "scenes/radar.hpp"
+#include "sim/core/constants.hpp"
 #include "sim/spread_draws.hpp"
 
 namespace specula {
+
+/// Tilts of experiments end here: a sample seen from its edge returns next to nothing.
+inline constexpr double steepest_tilt_rad = 85.0 * pi / 180.0;
 
 /// How radar and sample stand to each other in the sessions of a dataset, before the errors of each
 /// session: laws of height, tilts, offset and turn, each spread over the sessions of a class.

@@ -9,7 +9,6 @@ namespace {
 
 constexpr int tried_first = 6;
 constexpr int most_over_frequency = most_polynomials / 3;
-constexpr double left_out = 1e-8;
 
 /// All coefficients at n_p cosines and n_k frequencies, as a double series.
 CoefficientTable sampled(const Event& event, const Reflector& reflector, const ChebyshevGrid& cosine,
@@ -41,7 +40,7 @@ CoefficientTable sampled(const Event& event, const Reflector& reflector, const C
     return table;
 }
 
-/// How many polynomials of each kind carry all that is above `left_out`.
+/// How many polynomials of each kind carry all that is above `negligible_coefficient`.
 struct Needed {
     int cosine = 1;
     int frequency = 1;
@@ -51,7 +50,7 @@ Needed needed_of(const CoefficientTable& table) {
     Needed needed;
     const auto n_k = static_cast<std::size_t>(table.frequency_hz.n);
     for (std::size_t i = 0; i < table.te.size(); ++i) {
-        if (std::abs(table.te[i]) + std::abs(table.tm[i]) <= left_out) continue;
+        if (std::abs(table.te[i]) + std::abs(table.tm[i]) <= negligible_coefficient) continue;
         needed.cosine = std::max(needed.cosine, static_cast<int>(i / n_k) + 1);
         needed.frequency = std::max(needed.frequency, static_cast<int>(i % n_k) + 1);
     }

@@ -11,7 +11,6 @@ namespace specula {
 namespace {
 
 constexpr int fewest_polynomials = 12;  ///< tried first
-constexpr double left_out = 1e-8;
 
 double thickness_m(const Stack& stack) {
     double sum = 0.0;
@@ -88,7 +87,7 @@ int polynomials_needed(const Event& event, const Reflector& reflector,
         for (const double frequency_hz : frequencies_hz) {
             const AngularSeries s = angular_series(event, reflector(frequency_hz), cosines);
             for (std::size_t k = needed; k < s.te.size(); ++k)
-                if (std::abs(s.te[k]) + std::abs(s.tm[k]) > left_out) needed = k + 1;
+                if (std::abs(s.te[k]) + std::abs(s.tm[k]) > negligible_coefficient) needed = k + 1;
         }
         // A series cut too short folds its rest onto all of its terms, the last ones included.
         if (static_cast<int>(needed) <= cosines.n * 3 / 4) return static_cast<int>(needed);

@@ -37,6 +37,8 @@ AngularSeries angular_series(const Event& event, const Stack& stack, const Cheby
 
 /// The largest number of polynomials that a series may have.
 inline constexpr int most_polynomials = 192;
+/// Coefficients of polynomials up to here are left out of a series.
+inline constexpr double negligible_coefficient = 1e-8;
 
 /// How many polynomials carry the angle dependence of a body over an interval of cosines, at the
 /// given frequencies, with coefficients left out below 1e-8; at most `most_polynomials`. A thick

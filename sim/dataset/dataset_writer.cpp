@@ -63,6 +63,8 @@ TableStream<float> create_profile(Hdf5File& out, const DatasetHead& head) {
     return table;
 }
 
+}  // namespace
+
 /// A column of Truth on its way into the file.
 template <typename T>
 struct ColumnStream {
@@ -76,8 +78,6 @@ struct ColumnStream {
         rows.add(values);
     }
 };
-
-}  // namespace
 
 /// The open file, table by table.
 class DatasetWriter::Streams {

@@ -273,7 +273,8 @@ ImportedRecording import_recording(const std::string& format_name, const fs::pat
                             .version = program_version,
                             .radar = manifest.radar,
                             .bin_m = manifest.bin_m,
-                            .source = "import " + format_name};
+                            .source = "import " + format_name,
+                            .recipe = {}};
     try {
         check_taken(*found, manifest);
         found->import(input, manifest, draft);

@@ -14,7 +14,7 @@ namespace specula {
 namespace {
 
 constexpr std::size_t most_examples = 3;
-constexpr double long_codes = 1e8;  ///< some seconds of transforms
+constexpr double slow_codes = 1e8;  ///< some seconds of transforms
 
 /// Index of a column of the truth.
 std::size_t column_of(double Truth::*member) {
@@ -154,7 +154,7 @@ DatasetSummary summarise_dataset(const std::filesystem::path& file, int threads)
     std::optional<Progress> progress;
     const double codes = static_cast<double>(reader.form().codes_per_frame()) *
                          static_cast<double>(reader.n_frames());
-    if (codes > long_codes) progress.emplace("reading", "frames", reader.n_frames());
+    if (codes > slow_codes) progress.emplace("reading", "frames", reader.n_frames());
     for_each_block(reader, [&](std::size_t first, const Dataset& block) {
         summary.add(block);
         hash.add(reader.frame_hashes({first, first + block.n_frames()}));

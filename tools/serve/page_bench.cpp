@@ -127,7 +127,8 @@ Dataset dataset_of(const PageChirp& chirp, const SceneRequest& request,
                       .seed = static_cast<std::uint64_t>(request.frame),
                       .version = program_version,
                       .radar = chirp.scene.radar.name,
-                      .bin_m = chirp.scene.radar.chirp.bin_m()};
+                      .bin_m = chirp.scene.radar.chirp.bin_m(),
+                      .recipe = {}};
     dataset.class_names = {chirp.scene.sample.title()};
     dataset.n_chirps = chirp.frame.n_chirps;
     dataset.n_rx = chirp.frame.n_rx;

@@ -19,6 +19,7 @@
 #include "sim/core/format.hpp"
 #include "sim/parallel.hpp"
 #include "sim/recording/export_recording.hpp"
+#include "sim/recording/manifest.hpp"
 #include "tools/console/console.hpp"
 #include "tools/specula/commands.hpp"
 #include "tools/specula/output_place.hpp"

@@ -51,7 +51,8 @@ Dataset dataset_of(const Scene& scene, const AdcFrame& frame, const SimulateArgu
                       .seed = arguments.seed,
                       .version = program_version,
                       .radar = scene.radar.name,
-                      .bin_m = scene.radar.chirp.bin_m()};
+                      .bin_m = scene.radar.chirp.bin_m(),
+                      .recipe = {}};
     dataset.class_names = {scene.sample.title()};
     dataset.n_chirps = frame.n_chirps;
     dataset.n_rx = frame.n_rx;

@@ -26,6 +26,10 @@ Distribution moved(const Distribution& law, double by) {
         Distribution operator()(const Distribution::Factor& l) const {
             return Distribution(Distribution::Factor{l.median * std::exp(by), l.ratio});
         }
+        Distribution operator()(Distribution::Choice l) const {
+            for (double& value : l.values) value += by;
+            return Distribution(std::move(l));
+        }
     };
     return std::visit(Move{by}, law.law());
 }
@@ -46,6 +50,12 @@ Distribution widened(const Distribution& law, double factor) {
         }
         Distribution operator()(const Distribution::Factor& l) const {
             return Distribution(Distribution::Factor{l.median, std::pow(l.ratio, factor)});
+        }
+        Distribution operator()(Distribution::Choice l) const {
+            double middle = 0.0;
+            for (const double value : l.values) middle += value / static_cast<double>(l.values.size());
+            for (double& value : l.values) value = middle + factor * (value - middle);
+            return Distribution(std::move(l));
         }
     };
     return std::visit(Widen{factor}, law.law());
