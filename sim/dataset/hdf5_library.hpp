@@ -34,7 +34,8 @@ std::string last_hdf5_reason();
 [[noreturn]] void hdf5_read_failed(const std::filesystem::path& file, const std::string& object,
                                    const std::string& problem);
 
-/// Silences HDF5's own printing and its work at exit, which crashes after a failed write. Once.
+/// Silences HDF5's own printing and its work at exit, which crashes after a failed write. Once,
+/// and once in every thread: each has error reports of its own.
 void tame_hdf5();
 
 }  // namespace specula
