@@ -53,8 +53,8 @@ displacement_um = { normal = [0, 35] }
 END
 generate() { "$program" generate "$folder/small.toml" -o "$1" >"$folder/log" 2>&1; }
 
-generate "$folder/one.h5" || fail "the undisturbed run"
-size=$(stat -c %s "$folder/one.h5")
+generate "$folder/one/one.h5" || fail "the undisturbed run"
+size=$(stat -c %s "$folder/one/one.h5")
 echo "the whole file: $size bytes"
 
 # Too small from the beginning: refused before anything is simulated.
@@ -87,8 +87,8 @@ for after in 1 3 6; do
     fi
     rm -f "$disk/filler"
     generate "$disk/a.h5" || fail "resuming"
-    cmp "$disk/a.h5" "$folder/one.h5" || fail "other bytes after a full disk"
-    rm "$disk/a.h5"
+    cmp "$disk/a.h5" "$folder/one/one.h5" || fail "other bytes after a full disk"
+    rm "$disk/a.h5" "$disk/DATASHEET.md" "$disk/croissant.json"
     [ -z "$(ls "$disk")" ] || fail "left over: $(ls "$disk")"
 done
 
@@ -96,7 +96,7 @@ done
 (ulimit -f $((size / 1024 / 2)) && generate "$disk/a.h5")
 [ $? = 1 ] || fail "a limited file: status $?"
 grep -q 'a.h5.*File too large' "$folder/log" || fail "the limit is not named"
-generate "$disk/a.h5" && cmp "$disk/a.h5" "$folder/one.h5" || fail "resuming after a limit"
+generate "$disk/a.h5" && cmp "$disk/a.h5" "$folder/one/one.h5" || fail "resuming after a limit"
 
 mount -o remount,ro "$disk" 2>/dev/null
 generate "$disk/b.h5" && fail "a read-only disk"

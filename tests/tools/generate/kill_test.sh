@@ -14,7 +14,7 @@ trap 'rm -rf "$folder"' EXIT
 cd "$folder" || exit 1
 fail() {
     echo "FAILED in run $run: $*"
-    ls -l . run.h5.parts 2>/dev/null
+    ls -l . run run/run.h5.parts 2>/dev/null
     exit 1
 }
 run=0
@@ -53,20 +53,25 @@ milliseconds() { echo $(($(date +%s%N) / 1000000)); }
 random() { echo $(($(od -An -N4 -tu4 /dev/urandom) % $1)); }
 sleep_ms() { sleep "$(printf '%d.%03d' $(($1 / 1000)) $(($1 % 1000)))"; }
 
-generate() { "$program" generate small.toml -o "$1" >"$2" 2>&1; }
+generate() { "$program" generate small.toml -o "$1" >log 2>&1; }
 
 begin=$(milliseconds)
-generate one.h5 log || { cat log; exit 1; }
+generate one/one.h5 || { cat log; exit 1; }
 length=$(($(milliseconds) - begin))
-expected=$(sha256sum <one.h5)
+expected=$(sha256sum <one/one.h5)
 echo "an undisturbed run takes $length ms: ${expected%% *}"
 
+# Nothing of the surroundings reaches the data.
+LC_ALL=de_DE.UTF-8 TZ=Asia/Tokyo MALLOC_PERTURB_=165 "$program" generate small.toml -o two/two.h5 \
+    --threads 1 >log 2>&1 || fail "in other surroundings: $(cat log)"
+[ "$(sha256sum <two/two.h5)" = "$expected" ] || fail "other surroundings give other bytes"
+
 # The shards that are finished now: every one, read before it can go.
-finished() { ls run.h5.parts 2>/dev/null | grep -c '^shard-[0-9]*\.h5$'; }
+finished() { ls run/run.h5.parts 2>/dev/null | grep -c '^shard-[0-9]*\.h5$'; }
 
 # attempt SIGNAL: starts a run, sends the signal after a random time, tells how it ended.
 attempt() {
-    "$program" generate small.toml -o run.h5 >log 2>&1 &
+    "$program" generate small.toml -o run/run.h5 >log 2>&1 &
     pid=$!
     sleep_ms "$(random "$length")"
     kill -"$1" $pid 2>/dev/null
@@ -79,7 +84,7 @@ attempt() {
 killed=0 in_resume=0 clean=0
 while [ $run -lt "$runs" ]; do
     run=$((run + 1))
-    rm -rf run.h5 run.h5.parts
+    rm -rf run
     again=$(random 2)
     attempt KILL
     if [ $status -ge 128 ]; then killed=$((killed + 1)); fi
@@ -87,10 +92,10 @@ while [ $run -lt "$runs" ]; do
         before=$(finished)
         attempt KILL
         if [ $status -ge 128 ]; then in_resume=$((in_resume + 1)); fi
-        [ -e run.h5 ] || [ "$(finished)" -ge "$before" ] || fail "finished shards are gone"
+        [ -e run/run.h5 ] || [ "$(finished)" -ge "$before" ] || fail "finished shards are gone"
     fi
     # Ctrl-C and a polite kill, too: a clean end within two seconds.
-    if [ ! -e run.h5 ] && [ $((run % 5)) = 0 ]; then
+    if [ ! -e run/run.h5 ] && [ $((run % 5)) = 0 ]; then
         case $((run % 10)) in 0) signal=INT expected_status=130 ;; *) signal=TERM expected_status=143 ;; esac
         attempt $signal
         if [ $status -ne 0 ] && ! { [ $status -gt 128 ] && ! [ -s log ]; }; then
@@ -100,21 +105,21 @@ while [ $run -lt "$runs" ]; do
             clean=$((clean + 1))
         fi
     fi
-    if [ ! -e run.h5 ]; then
-        ls run.h5.parts 2>/dev/null | grep '^shard-[0-9]*\.h5$' | while read -r shard; do
-            stat -c '%n %i %Y' "run.h5.parts/$shard"
+    if [ ! -e run/run.h5 ]; then
+        ls run/run.h5.parts 2>/dev/null | grep '^shard-[0-9]*\.h5$' | while read -r shard; do
+            stat -c '%n %i %Y' "run/run.h5.parts/$shard"
         done >before
         kept=$(wc -l <before)
-        generate run.h5 log || fail "resuming ends with $?: $(cat log)"
+        generate run/run.h5 || fail "resuming ends with $?: $(cat log)"
         # Told before anything is simulated; nothing is told where all were finished.
         if [ "$kept" -gt 0 ] && grep -q 'frames in' log; then
             grep -q "($kept are finished)" log || fail "$kept shards were finished, but: $(cat log)"
         fi
     else
-        generate run.h5 log || fail "a finished file: $(cat log)"
+        generate run/run.h5 || fail "a finished file: $(cat log)"
     fi
-    [ "$(sha256sum <run.h5)" = "$expected" ] || fail "other bytes than the undisturbed run's"
-    left=$(ls -A | grep -vx -e small.toml -e one.h5 -e run.h5 -e log -e before)
+    [ "$(sha256sum <run/run.h5)" = "$expected" ] || fail "other bytes than the undisturbed run's"
+    left=$(ls -A run | grep -vx -e run.h5 -e DATASHEET.md -e croissant.json)
     [ -z "$left" ] || fail "left over: $left"
 done
 echo "$runs runs: $killed killed, $in_resume killed again while resuming, $clean stopped by signals;" \

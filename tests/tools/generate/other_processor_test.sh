@@ -15,14 +15,14 @@ cd "$folder" || exit 1
 worlds=${SPECULA_PROCESSOR_WORLDS:-1}
 generate() { "$program" generate tilt_and_height --worlds "$worlds" -o "$1" >log 2>&1 || { cat log; exit 1; }; }
 
-generate own.h5
+generate own/data.h5
 mkdir old
 printf 'isa=sse4.2\n' >old/.embree3   # Embree reads it in the home folder
 (HOME=$folder/old GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4,-AVX512F; export HOME GLIBC_TUNABLES
- generate old.h5)
+ generate old/data.h5)
 /usr/bin/python3 - <<'END'
 import h5py, numpy, sys
-a, b = h5py.File("own.h5"), h5py.File("old.h5")
+a, b = h5py.File("own/data.h5"), h5py.File("old/data.h5")
 codes = a["adc"][:].astype(int) - b["adc"][:]
 differing = numpy.count_nonzero(codes)
 most = int(abs(codes).max())

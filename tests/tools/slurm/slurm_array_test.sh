@@ -86,7 +86,7 @@ echo "slurmctld, slurmd and munged run: $(sinfo -h -o '%N %t %c CPUs')"
 cd "$folder" || exit 1
 export SPECULA="$program" SPECULA_HOME="$tree"
 worlds=${SPECULA_SLURM_WORLDS:-48}
-"$program" generate tilt_and_height -o one.h5 --worlds "$worlds" --store adc >one.log 2>&1 ||
+"$program" generate tilt_and_height -o one/one.h5 --worlds "$worlds" --store adc >one.log 2>&1 ||
     fail "the single process: $(cat one.log)"
 job=$(sbatch --parsable --cpus-per-task=1 --mem=0 "$tree/tools/slurm/generate.sbatch" \
     tilt_and_height "$folder/array.h5" --worlds "$worlds" --store adc) || fail "sbatch"
@@ -115,6 +115,6 @@ done
 grep -h "Share\|frames in" specula-*.log
 
 "$program" merge array.h5.parts -o array.h5 || fail "merge"
-sha256sum one.h5 array.h5
-cmp one.h5 array.h5 || fail "the array's dataset is another one"
+sha256sum one/one.h5 array.h5
+cmp one/one.h5 array.h5 || fail "the array's dataset is another one"
 echo "eight tasks, one of them killed and requeued, made the same bytes as one process"
