@@ -21,6 +21,8 @@ TEST_CASE("generate says what it will take, writes, and finds its work done the 
     REQUIRE(first.status == 0);
     CHECK(contains(first.output, "192 frames in 1 shards: about "));
     CHECK(contains(first.output, "Wrote a.h5: 192 frames"));
+    CHECK(std::filesystem::exists(folder / "DATASHEET.md"));
+    CHECK(std::filesystem::exists(folder / "croissant.json"));
     const std::string fingerprint = first.output.substr(first.output.find("fingerprint "));
     const Dataset made = read_dataset(folder / "a.h5");
     CHECK(made.n_frames() == 192);
