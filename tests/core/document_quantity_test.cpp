@@ -212,10 +212,31 @@ TEST_CASE("laws that cannot be are refused with what they want", "[document][law
           "x.toml:1: d_mm.factor = [\"a\", 1.1]: is not a number; give a number above 0");
 }
 
-TEST_CASE("a law that is unknown, doubled or empty is told the three that are", "[document][law]") {
+TEST_CASE("a log-normal law is a factor by another name, a choice holds values in range",
+          "[document][law]") {
+    const auto law = [](const std::string& text) {
+        return Section::parse("d_mm = " + text, "x.toml")
+            .distribution("d", Unit::length, Range::inside(0.0, 1.0));
+    };
+    const auto factor =
+        std::get<Distribution::Factor>(law("{ log_normal = [5, 0.4054651081] }").law());
+    CHECK(factor.median == Approx(0.005));
+    CHECK(factor.ratio == Approx(1.5));  // exp(0.405)
+    CHECK(std::get<Distribution::Choice>(law("{ choice = [3, 4] }").law()).values ==
+          std::vector<double>{0.003, 0.004});
+    CHECK(law_error("{ log_normal = [5, -1] }") ==
+          "x.toml:1: d_mm.log_normal[1] = -1: is out of range; give a value at least 0");
+    CHECK(law_error("{ log_normal = [0, 1] }").find("a median above 0 mm") != std::string::npos);
+    CHECK(law_error("{ choice = [3, 4000] }").rfind("x.toml:1: d_mm.choice", 0) == 0);
+    CHECK(law_error("{ choice = [] }").find("is not a list of the right length") !=
+          std::string::npos);
+}
+
+TEST_CASE("a law that is unknown, doubled or empty is told those that are", "[document][law]") {
     const std::string remedy =
         "is not a value or a law; write a number, { uniform = [low, high] }, "
-        "{ normal = [mean, sd] } or { factor = [median, ratio] }";
+        "{ normal = [mean, sd] }, { factor = [median, ratio] }, "
+        "{ log_normal = [median, sd of the logarithm] } or { choice = [values] }";
     for (const char* value : {"{ gauss = [1, 2] }", "{}", "{ normal = [1, 2], factor = [1, 2] }"})
         CHECK(law_error(value) == "x.toml:1: d_mm = {...}: " + remedy);
     CHECK(law_error("'thin'") ==

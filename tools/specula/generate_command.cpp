@@ -57,7 +57,7 @@ void write_documents(const GenerateReport& report, int threads) {
 void print_report(const GenerateReport& report, const GenerateArguments& arguments,
                   const fs::path& out) {
     if (report.file.empty()) {
-        std::printf("Share %s is done: %zu of %zu shards are finished in %s\n",
+        std::printf("Share %s is done; of the whole run, %zu of %zu shards are in %s\n",
                     arguments.share.c_str(), report.n_shards_finished, report.n_shards,
                     is_folder_output(out) ? out.c_str() : (out.string() + ".parts").c_str());
         std::printf("When all shares are: specula merge %s -o %s\n",

@@ -40,7 +40,8 @@ TEST_CASE("shards of several machines merge, in any order of the folders", "[gen
                    machines.small.folder / "all.h5"});
     CHECK(report.n_shards == 3);
     CHECK(report.n_frames == machines.small.read().n_frames());
-    CHECK(contains(machines.refusal({machines.folder(0)}), "is there already"));
+    CHECK(contains(machines.refusal({machines.folder(0), machines.folder(1), machines.folder(2)}),
+                   "is there already"));
 }
 
 TEST_CASE("a merge names what is missing, twice there, foreign or damaged", "[generate]") {

@@ -61,7 +61,7 @@ TEST_CASE("a recipe's text changes with all that decides frames, and with nothin
              {"worlds = 5", "worlds = 6", "worlds = 5 there, 6 here"},
              {"frames = 2", "frames = 3", "experiment.recordings.frames = 2 there, 3 here"},
              {"[18, 1]", "[18, 2]", "experiment.class[1].thickness_mm.normal[1] = 1 there, 2 here"},
-             {"iwrl6432boost", "iwr6843isk", "experiment.radar = \"iwrl6432boost\" there, "}}) {
+             {"[40, 40]", "[41, 40]", "experiment.sample.size_mm[0] = 40 there, 41 here"}}) {
         const std::string other = SmallRecipe(with(small_recipe_text, old, instead)).read().text;
         INFO(recipe_difference(plain, other));
         CHECK(recipe_difference(plain, other).rfind(difference, 0) == 0);

@@ -14,7 +14,8 @@ const std::vector<std::string> commands{"study",      "simulate",        "show",
                                         "validate",   "import",          "export",  "train",
                                         "evaluate",   "verify-firmware", "latency", "list",
                                         "completion", "calibrate",       "likeness", "predict",
-                                        "diff",       "augment",         "bench"};
+                                        "diff",       "augment",         "bench",   "generate",
+                                        "merge"};
 
 bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;

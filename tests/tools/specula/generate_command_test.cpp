@@ -23,7 +23,7 @@ TEST_CASE("generate says what it will take, writes, and finds its work done the 
     CHECK(contains(first.output, "Wrote a.h5: 192 frames"));
     CHECK(std::filesystem::exists(folder / "DATASHEET.md"));
     CHECK(std::filesystem::exists(folder / "croissant.json"));
-    const std::string fingerprint = first.output.substr(first.output.find("fingerprint "));
+    const std::string fingerprint = first.output.substr(first.output.find("fingerprint "), 28);
     const Dataset made = read_dataset(folder / "a.h5");
     CHECK(made.n_frames() == 192);
     CHECK(made.adc.empty());
