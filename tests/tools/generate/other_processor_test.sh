@@ -1,6 +1,6 @@
 #!/bin/sh
 # How much of a dataset depends on the generation of the processor: the same recipe with the C library's
-# and Embree's code for older processors, compared code by code.
+# code for processors without AVX2, FMA and AVX-512, compared code by code.
 #
 #   other_processor_test.sh PROGRAM SOURCE_TREE
 #
@@ -16,9 +16,8 @@ worlds=${SPECULA_PROCESSOR_WORLDS:-1}
 generate() { "$program" generate tilt_and_height --worlds "$worlds" -o "$1" >log 2>&1 || { cat log; exit 1; }; }
 
 generate own/data.h5
-mkdir old
-printf 'isa=sse4.2\n' >old/.embree3   # Embree reads it in the home folder
-(HOME=$folder/old GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4,-AVX512F; export HOME GLIBC_TUNABLES
+(GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4,-AVX512F
+ export GLIBC_TUNABLES
  generate old/data.h5)
 /usr/bin/python3 - <<'END'
 import h5py, numpy, sys
@@ -30,6 +29,6 @@ labels = numpy.count_nonzero(a["label"][:] != b["label"][:])
 features = abs(a["features"][:] / b["features"][:] - 1).max()
 print(f"{codes.shape[0]} frames: {differing} of {codes.size} codes differ ({differing / codes.size:.1e}), "
       f"by at most {most} LSB; labels that differ: {labels}; features by at most {features:.1e}")
-# sim/dataset/FORMAT.md promises: at most 1e-5 of the codes, each by one LSB; labels equal.
+# docs/datasets.md promises: at most 1e-5 of the codes, each by one LSB; labels equal.
 sys.exit(0 if differing <= 1e-5 * codes.size and most <= 1 and labels == 0 else 1)
 END
