@@ -136,7 +136,7 @@ TEST_CASE("an echo moved by the ramp stands where its new range says", "[augment
         const std::vector<float> moved = descriptor(frame);
         const std::vector<float> direct = descriptor(tone(1000.0, 11.53 + bins, 0.2));
         INFO(bins << " bins, off by " << largest_gap(moved, direct, 5, 40) << " of 1000");
-        CHECK(largest_gap(moved, direct, 5, 40) < 30.0);
+        CHECK(largest_gap(moved, direct, 5, 40) < 10.0);
     }
 }
 
@@ -166,9 +166,9 @@ TEST_CASE("complex samples move without error, and a way back is the way", "[aug
     const FrameSamples before = frame;
     augment_codes(frame, how, 12 * bin_m, key);
     for (std::size_t i = 0; i < n_samples; ++i) {
-        // The first way ends between two bins, of which the second leaves those below 3 behind.
-        CHECK(frame.in_phase[i] == Approx(before.in_phase[i]).margin(3.0));
-        CHECK(frame.quadrature[i] == Approx(before.quadrature[i]).margin(3.0));
+        // The slow part takes a little of an echo between two bins, most of it at the ends.
+        CHECK(frame.in_phase[i] == Approx(before.in_phase[i]).margin(8.0));
+        CHECK(frame.quadrature[i] == Approx(before.quadrature[i]).margin(8.0));
     }
 }
 

@@ -68,8 +68,8 @@ TEST_CASE("diff ends with 0, 1 or 2 and names frame, field and values", "[progra
     CHECK(contains(other.output, "against 1234 LSB"));
     CHECK(contains(other.output, "1 of 12 frames differ"));
     CHECK(bench.run({"diff", "a.h5", "b.h5", "--ignore", "/adc,/frame_hash"}).status == 0);
-    for (const auto& [file, problem] :
-         {std::pair{"none.h5", "none.h5: no such file"}, {".", ".: is a folder without index.h5"}}) {
+    for (const auto& [file, problem] : {std::pair{"none.h5", "none.h5: no such file"},
+                                        {".", ".: is a folder without index.h5"}}) {
         const Ended bad = bench.run({"diff", "a.h5", file});
         CHECK(bad.status == 2);
         CHECK(contains(bad.errors, problem));
@@ -140,6 +140,9 @@ TEST_CASE("augment keeps groups, notes what it drew, and does not depend on thre
                              &before.adc[i / 3 * 384]));
     }
     CHECK(drawn.size() == 24);  // no two copies alike
+    CHECK(contains(bench.run({"show", "b.h5"}).output, "\naugmented: changed copies"));
+    REQUIRE(bench.run({"export", "datasheet", "b.h5"}).status == 0);
+    CHECK(contains(content_of(bench.folder / "DATASHEET.md"), "changed by `specula augment`"));
 }
 
 TEST_CASE("augment takes a recipe, features alone, and says what it cannot do",
