@@ -35,20 +35,20 @@ Panels panels_of(const DatasetSummary& summary) {
     return panels;
 }
 
-/// The first bins that hold nearly all energy of every class: a spectrum's far half is noise.
+/// The first bins that hold what can be seen of any class: a spectrum's far half is noise.
 std::size_t shown_values(const Panels& panels, bool is_spectrum) {
     constexpr double least_share = 0.02;
+    constexpr std::size_t leaking = 4, fewest = 16, margin = 4;
     const std::size_t n = panels.classes.front()->profile_mean.size();
     if (!is_spectrum) return n;
-    std::size_t shown = std::min<std::size_t>(n, 16);
-    for (const ClassSummary* each : panels.classes) {
-        const auto& mean = each->profile_mean;
-        const double peak = *std::max_element(
-            mean.begin() + std::min<std::ptrdiff_t>(4, std::ssize(mean) - 1), mean.end());
+    double peak = 0.0;
+    for (const ClassSummary* each : panels.classes)
+        for (std::size_t k = leaking; k < n; ++k) peak = std::max(peak, each->profile_mean[k]);
+    std::size_t shown = std::min(n, fewest);
+    for (const ClassSummary* each : panels.classes)
         for (std::size_t k = shown; k < n; ++k)
-            if (mean[k] > least_share * peak) shown = k + 1;
-    }
-    return std::min(n, shown + 4);
+            if (each->profile_mean[k] > least_share * peak) shown = k + 1;
+    return std::min(n, shown + margin);
 }
 
 std::string profile_data(const ClassSummary& each, std::size_t index, std::size_t shown,
