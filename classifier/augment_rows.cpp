@@ -74,11 +74,13 @@ double value_at(const std::vector<float>& row, double at) {
 }
 
 void move_row(std::span<float> row, const RadarView& radar, const Move& move) {
+    constexpr double leakage_end = 5.0;  // bins below hold it, behind a Blackman window, and stay
     const std::vector<float> before(row.begin(), row.end());
     for (std::size_t k = 0; k < row.size(); ++k) {
-        const double bin = radar.first_bin + static_cast<double>(k), from = bin - move.bins;
-        const double passed =
-            move.keeps_level ? 1.0 : std::abs(high_pass_ratio(radar, from, std::max(bin, 0.5)));
+        const double bin = radar.first_bin + static_cast<double>(k);
+        if (bin < leakage_end) continue;
+        const double from = std::max(leakage_end, bin - move.bins);
+        const double passed = move.keeps_level ? 1.0 : std::abs(high_pass_ratio(radar, from, bin));
         row[k] = static_cast<float>(value_at(before, from - radar.first_bin) * move.level * passed);
     }
 }

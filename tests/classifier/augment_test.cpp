@@ -181,7 +181,7 @@ Scene plate_at(double height_m) {
     Scene scene;
     scene.radar = read_radar(SPECULA_SOURCE_DIR "/scenes/radars/iwrl6432boost.toml");
     scene.sample.material = "aluminium";
-    scene.sample.face = {.size_x_m = 0.3, .size_y_m = 0.3};
+    scene.sample.face = {.size_x_m = 0.7, .size_y_m = 0.7};  // a mirror: no rim to be seen
     scene.pose.height_m = height_m;
     return scene;
 }
@@ -196,9 +196,19 @@ FrameSamples simulated(double height_m) {
     return samples;
 }
 
+/// A height, and how much of the peak a bin may be off.
+struct Moved {
+    double height_m;
+    double most;
+};
+
 TEST_CASE("a chirp moved to another height agrees with one simulated there", "[augment][sim]") {
     const FrameSamples start = simulated(0.45);
-    for (const double height_m : {0.40, 0.43, 0.52}) {
+    const std::vector<float> before = descriptor(start, 24);
+    // Farther away, bin 6 is reached by the 2 % of leakage (465 LSB) that cannot be told from
+    // echoes.
+    for (const auto& [height_m, most] :
+         {Moved{0.38, 0.01}, {0.43, 0.01}, {0.47, 0.01}, {0.52, 0.04}}) {
         Augmentation how = recipe({format("range={}", (height_m - 0.45) * 1e3)});
         how.radar = view_of(plate_at(0.45).radar);
         FrameSamples moved = start;
@@ -207,18 +217,15 @@ TEST_CASE("a chirp moved to another height agrees with one simulated there", "[a
         const std::vector<float> wanted = descriptor(simulated(height_m), 24);
         const double peak = *std::max_element(wanted.begin() + 6, wanted.begin() + 18);
         INFO(height_m << " m: off by " << largest_gap(got, wanted, 6, 18) << " of " << peak);
-        CHECK(largest_gap(got, wanted, 6, 18) < 0.03 * peak);
-        // Moving without the level of a mirror would be off by more: the test tells them apart.
-        CHECK(peak != Approx(*std::max_element(descriptor(start, 24).begin() + 6,
-                                               descriptor(start, 24).begin() + 18))
-                          .epsilon(0.03));
+        CHECK(largest_gap(got, wanted, 6, 18) < most * peak);
+        CHECK(largest_gap(before, wanted, 6, 18) > 0.1 * peak);  // it is no small matter
     }
 }
 
 TEST_CASE("a descriptor moved to another height agrees with that of a chirp simulated there",
           "[augment][sim]") {
     const std::vector<float> start = descriptor(simulated(0.45), 24);
-    for (const double height_m : {0.40, 0.43, 0.52}) {
+    for (const double height_m : {0.38, 0.43, 0.47, 0.52}) {
         Augmentation how = recipe({format("range={}", (height_m - 0.45) * 1e3)});
         how.radar = view_of(plate_at(0.45).radar);
         std::vector<float> moved = start;
@@ -226,7 +233,7 @@ TEST_CASE("a descriptor moved to another height agrees with that of a chirp simu
         const std::vector<float> wanted = descriptor(simulated(height_m), 24);
         const double peak = *std::max_element(wanted.begin() + 6, wanted.begin() + 18);
         INFO(height_m << " m: off by " << largest_gap(moved, wanted, 6, 18) << " of " << peak);
-        CHECK(largest_gap(moved, wanted, 6, 18) < 0.05 * peak);
+        CHECK(largest_gap(moved, wanted, 6, 18) < 0.03 * peak);  // between bins: 2.4 % of a line
     }
 }
 
