@@ -171,7 +171,7 @@ TEST_CASE("augment takes a recipe, features alone, and says what it cannot do",
     bench.folder.with("bad.toml", "[[step]]\nkind = \"gain\"\ngain_db = 99\n");
     for (const auto& [arguments, problem] :
          {std::pair{std::vector<std::string>{"--step", "jam=3"}, "--step jam=3: is no step"},
-          {{"--recipe", "bad.toml"}, "bad.toml:3: gain_db = 99"},
+          {{"--recipe", "bad.toml"}, "bad.toml:3: step.gain_db = 99"},
           {{}, "give either --recipe or one --step or more"},
           {{"--step", "range=-400"}, "to within 3 range bins"},
           {{"--step", "gain=1", "--radar", "nobody"}, "radar = \"nobody\": is not known"}}) {
