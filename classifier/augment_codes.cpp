@@ -1,3 +1,4 @@
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
@@ -39,53 +40,80 @@ void add_tone(FrameSamples& frame, const Tone& tone, Stream& stream) {
     }
 }
 
-/// Moves what lies from `first_moved_bin` on, row by row.
+/// Parts what stands still, leakage and offset, from what moves.
+///
+/// The spectrum of a whole chirp cannot: an echo between two bins leaks into all of them. So slow
+/// tones, two bins either way in steps of half a bin, are fitted to the middle of the chirp (least
+/// squares, weighted by a Hann window), to which an echo farther away is nearly orthogonal there. A
+/// ridge keeps neighbours from fitting noise against each other. Behind a Blackman window an echo
+/// at bin 7 or farther is then off by at most 1 % of its peak, at bin 6 by 5 %; leakage below bin 2
+/// by 0.7 %.
+class SlowPart {
+  public:
+    explicit SlowPart(int n_samples) : basis_(n_samples, n_tones) {
+        constexpr double slowest_bin = 2.0, step_bins = 0.5, ridge = 1e-4;
+        Eigen::VectorXd weight(n_samples);
+        for (int i = 0; i < n_samples; ++i) {
+            weight(i) = 0.5 - 0.5 * std::cos(two_pi * (i + 0.5) / n_samples);
+            for (int k = 0; k < n_tones; ++k)
+                basis_(i, k) =
+                    std::polar(1.0, two_pi * (step_bins * k - slowest_bin) * i / n_samples);
+        }
+        const Eigen::MatrixXcd weighted = weight.asDiagonal() * basis_;
+        Eigen::MatrixXcd normal = weighted.adjoint() * weighted;
+        normal.diagonal().array() += ridge * normal.diagonal().real().mean();
+        fit_ = normal.llt().solve(weighted.adjoint() * weight.asDiagonal());
+    }
+    Eigen::VectorXcd of(const Eigen::VectorXcd& signal) const { return basis_ * (fit_ * signal); }
+
+  private:
+    static constexpr int n_tones = 9;
+    Eigen::MatrixXcd basis_;  ///< (sample, tone)
+    Eigen::MatrixXcd fit_;    ///< (tone, sample)
+};
+
+/// Moves all but the slow part of each row.
 class Mover {
   public:
     Mover(const FrameSamples& frame, const Move& move, const RadarView& radar)
-        : n_(static_cast<std::size_t>(frame.n_samples)),
+        : n_(frame.n_samples),
           is_complex_(!frame.quadrature.empty()),
-          factor_(n_, 0.0) {
+          slow_(n_),
+          factor_(Eigen::VectorXcd::Zero(n_)),
+          ramp_(n_) {
         // Of a real signal, the upper half mirrors the lower: it goes, and the lower counts twice.
-        for (std::size_t k = 0; k < n_; ++k) {
-            if (!is_far(k) || (!is_complex_ && 2 * k > n_)) continue;
-            const double from = static_cast<double>(k);
-            const bool passes_filter = !move.keeps_level && 2 * k < n_;
-            factor_[k] = (is_complex_ || 2 * k == n_ ? 1.0 : 2.0) * move.level *
-                         (passes_filter ? high_pass_ratio(radar, from, from + move.bins) : 1.0);
+        for (int k = 0; k < n_; ++k) {
+            if (!is_complex_ && 2 * k > n_) continue;
+            const bool passes_filter = !move.keeps_level && k > 0 && 2 * k < n_;
+            const bool counts_once = is_complex_ || k == 0 || 2 * k == n_;
+            factor_(k) = (counts_once ? 1.0 : 2.0) * move.level *
+                         (passes_filter ? high_pass_ratio(radar, k, k + move.bins) : 1.0);
         }
-        const double turn_rad = two_pi * move.bins / frame.n_samples;
-        for (std::size_t i = 0; i < n_; ++i)
-            ramp_.push_back(std::polar(1.0, move.phase_rad + turn_rad * static_cast<double>(i)));
+        const double turn_rad = two_pi * move.bins / n_;
+        for (int i = 0; i < n_; ++i) ramp_(i) = std::polar(1.0, move.phase_rad + turn_rad * i);
     }
 
     void move(double* in_phase, double* quadrature) {
-        std::vector<Complex> signal(n_), spectrum, moved;
-        for (std::size_t i = 0; i < n_; ++i)
-            signal[i] = {in_phase[i], is_complex_ ? quadrature[i] : 0.0};
+        Eigen::VectorXcd signal(n_), spectrum(n_), moved(n_);
+        for (int i = 0; i < n_; ++i) signal(i) = {in_phase[i], is_complex_ ? quadrature[i] : 0.0};
+        const Eigen::VectorXcd slow = slow_.of(signal);
+        signal -= slow;
         fft_.fwd(spectrum, signal);
-        std::vector<Complex> still = spectrum;
-        for (std::size_t k = 0; k < n_; ++k) {
-            if (is_far(k)) still[k] = 0.0;
-            spectrum[k] *= factor_[k];
-        }
+        spectrum.array() *= factor_.array();
         fft_.inv(moved, spectrum);
-        fft_.inv(signal, still);
-        for (std::size_t i = 0; i < n_; ++i) {
-            const Complex value = signal[i] + moved[i] * ramp_[i];
+        for (int i = 0; i < n_; ++i) {
+            const Complex value = slow(i) + moved(i) * ramp_(i);
             in_phase[i] = value.real();
             if (is_complex_) quadrature[i] = value.imag();
         }
     }
 
   private:
-    /// Bins that move, or that mirror one which does.
-    bool is_far(std::size_t k) const { return k >= first_moved_bin && k + first_moved_bin <= n_; }
-
-    std::size_t n_;
+    int n_;
     bool is_complex_;
-    std::vector<Complex> factor_;  ///< (bin): of what moves
-    std::vector<Complex> ramp_;    ///< (sample)
+    SlowPart slow_;
+    Eigen::VectorXcd factor_;  ///< (bin): of what moves
+    Eigen::VectorXcd ramp_;    ///< (sample)
     Eigen::FFT<double> fft_;
 };
 

@@ -57,28 +57,30 @@ void add_tone(std::span<float> row, const RadarView& radar, const Tone& tone, St
     });
 }
 
-/// The row between its bins: Catmull and Rom's cubic, ends held.
+/// The row between its bins: Lagrange's polynomial through the six nearest, ends held.
 double value_at(const std::vector<float>& row, double at) {
-    const double last = static_cast<double>(row.size() - 1);
-    at = std::clamp(at, 0.0, last);
-    const auto k = static_cast<std::ptrdiff_t>(std::min(std::floor(at), std::max(0.0, last - 1.0)));
-    const double t = at - static_cast<double>(k);
-    const auto value = [&](std::ptrdiff_t i) {
-        return static_cast<double>(
-            row[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(i, 0, std::ssize(row) - 1))]);
-    };
-    const double a = value(k - 1), b = value(k), c = value(k + 1), d = value(k + 2);
-    const double between =
-        b + 0.5 * t * (c - a + t * (2.0 * a - 5.0 * b + 4.0 * c - d + t * (3.0 * (b - c) + d - a)));
-    return std::max(0.0, between);
+    constexpr std::ptrdiff_t n_points = 6;
+    at = std::clamp(at, 0.0, static_cast<double>(row.size() - 1));
+    const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(std::floor(at)) - n_points / 2 + 1;
+    double value = 0.0;
+    for (std::ptrdiff_t i = first; i < first + n_points; ++i) {
+        double weight = 1.0;
+        for (std::ptrdiff_t j = first; j < first + n_points; ++j)
+            if (j != i) weight *= (at - static_cast<double>(j)) / static_cast<double>(i - j);
+        const auto held = std::clamp<std::ptrdiff_t>(i, 0, std::ssize(row) - 1);
+        value += weight * static_cast<double>(row[static_cast<std::size_t>(held)]);
+    }
+    return std::max(0.0, value);
 }
 
 void move_row(std::span<float> row, const RadarView& radar, const Move& move) {
+    constexpr double leakage_end = 5.0;  // bins below hold it, behind a Blackman window, and stay
     const std::vector<float> before(row.begin(), row.end());
     for (std::size_t k = 0; k < row.size(); ++k) {
-        const double bin = radar.first_bin + static_cast<double>(k), from = bin - move.bins;
-        const double passed =
-            move.keeps_level ? 1.0 : std::abs(high_pass_ratio(radar, from, std::max(bin, 0.5)));
+        const double bin = radar.first_bin + static_cast<double>(k);
+        if (bin < leakage_end) continue;
+        const double from = std::max(leakage_end, bin - move.bins);
+        const double passed = move.keeps_level ? 1.0 : std::abs(high_pass_ratio(radar, from, bin));
         row[k] = static_cast<float>(value_at(before, from - radar.first_bin) * move.level * passed);
     }
 }

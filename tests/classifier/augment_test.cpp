@@ -126,7 +126,8 @@ TEST_CASE("a tone of clutter falls with the square of its range and stands at it
 
     std::vector<float> row(64, 0.0f);
     augment_row(row, how, 0.45, key);
-    CHECK(largest_gap(row, profile, 4, 60) < 1.0);  // of 292
+    // Of 292; the firmware's window is symmetric, the line that of a periodic one: 1 / N apart.
+    CHECK(largest_gap(row, profile, 4, 60) < 292.0 / n_samples);
 }
 
 TEST_CASE("an echo moved by the ramp stands where its new range says", "[augment]") {
@@ -136,7 +137,7 @@ TEST_CASE("an echo moved by the ramp stands where its new range says", "[augment
         const std::vector<float> moved = descriptor(frame);
         const std::vector<float> direct = descriptor(tone(1000.0, 11.53 + bins, 0.2));
         INFO(bins << " bins, off by " << largest_gap(moved, direct, 5, 40) << " of 1000");
-        CHECK(largest_gap(moved, direct, 5, 40) < 30.0);
+        CHECK(largest_gap(moved, direct, 5, 40) < 10.0);
     }
 }
 
@@ -166,9 +167,9 @@ TEST_CASE("complex samples move without error, and a way back is the way", "[aug
     const FrameSamples before = frame;
     augment_codes(frame, how, 12 * bin_m, key);
     for (std::size_t i = 0; i < n_samples; ++i) {
-        // The first way ends between two bins, of which the second leaves those below 3 behind.
-        CHECK(frame.in_phase[i] == Approx(before.in_phase[i]).margin(3.0));
-        CHECK(frame.quadrature[i] == Approx(before.quadrature[i]).margin(3.0));
+        // The slow part takes a little of an echo between two bins, most of it at the ends.
+        CHECK(frame.in_phase[i] == Approx(before.in_phase[i]).margin(8.0));
+        CHECK(frame.quadrature[i] == Approx(before.quadrature[i]).margin(8.0));
     }
 }
 
@@ -181,7 +182,7 @@ Scene plate_at(double height_m) {
     Scene scene;
     scene.radar = read_radar(SPECULA_SOURCE_DIR "/scenes/radars/iwrl6432boost.toml");
     scene.sample.material = "aluminium";
-    scene.sample.face = {.size_x_m = 0.3, .size_y_m = 0.3};
+    scene.sample.face = {.size_x_m = 0.7, .size_y_m = 0.7};  // a mirror: no rim to be seen
     scene.pose.height_m = height_m;
     return scene;
 }
@@ -196,9 +197,19 @@ FrameSamples simulated(double height_m) {
     return samples;
 }
 
+/// A height, and how much of the peak a bin may be off.
+struct Moved {
+    double height_m;
+    double most;
+};
+
 TEST_CASE("a chirp moved to another height agrees with one simulated there", "[augment][sim]") {
     const FrameSamples start = simulated(0.45);
-    for (const double height_m : {0.40, 0.43, 0.52}) {
+    const std::vector<float> before = descriptor(start, 24);
+    // Farther away, bin 6 is reached by the 2 % of leakage (465 LSB) that cannot be told from
+    // echoes.
+    for (const auto& [height_m, most] :
+         {Moved{0.38, 0.01}, {0.43, 0.01}, {0.47, 0.01}, {0.52, 0.04}}) {
         Augmentation how = recipe({format("range={}", (height_m - 0.45) * 1e3)});
         how.radar = view_of(plate_at(0.45).radar);
         FrameSamples moved = start;
@@ -207,18 +218,15 @@ TEST_CASE("a chirp moved to another height agrees with one simulated there", "[a
         const std::vector<float> wanted = descriptor(simulated(height_m), 24);
         const double peak = *std::max_element(wanted.begin() + 6, wanted.begin() + 18);
         INFO(height_m << " m: off by " << largest_gap(got, wanted, 6, 18) << " of " << peak);
-        CHECK(largest_gap(got, wanted, 6, 18) < 0.03 * peak);
-        // Moving without the level of a mirror would be off by more: the test tells them apart.
-        CHECK(peak != Approx(*std::max_element(descriptor(start, 24).begin() + 6,
-                                               descriptor(start, 24).begin() + 18))
-                          .epsilon(0.03));
+        CHECK(largest_gap(got, wanted, 6, 18) < most * peak);
+        CHECK(largest_gap(before, wanted, 6, 18) > 0.1 * peak);  // it is no small matter
     }
 }
 
 TEST_CASE("a descriptor moved to another height agrees with that of a chirp simulated there",
           "[augment][sim]") {
     const std::vector<float> start = descriptor(simulated(0.45), 24);
-    for (const double height_m : {0.40, 0.43, 0.52}) {
+    for (const double height_m : {0.38, 0.43, 0.47, 0.52}) {
         Augmentation how = recipe({format("range={}", (height_m - 0.45) * 1e3)});
         how.radar = view_of(plate_at(0.45).radar);
         std::vector<float> moved = start;
@@ -226,7 +234,7 @@ TEST_CASE("a descriptor moved to another height agrees with that of a chirp simu
         const std::vector<float> wanted = descriptor(simulated(height_m), 24);
         const double peak = *std::max_element(wanted.begin() + 6, wanted.begin() + 18);
         INFO(height_m << " m: off by " << largest_gap(moved, wanted, 6, 18) << " of " << peak);
-        CHECK(largest_gap(moved, wanted, 6, 18) < 0.05 * peak);
+        CHECK(largest_gap(moved, wanted, 6, 18) < 0.03 * peak);  // between bins: 2.4 % of a line
     }
 }
 

@@ -131,7 +131,13 @@ class Comparison {
     void compare_table(const std::string& table) {
         compare_attributes(table, table);
         const auto shape_a = a_.shape(table), shape_b = b_.shape(table);
-        if (shape_a != shape_b)
+        if (shape_a[0] != shape_b[0] && !tells_rows_) {
+            diff_.heads.insert(diff_.heads.begin(),
+                               format("rows of tables: {} against {}", shape_a[0], shape_b[0]));
+            tells_rows_ = true;
+        }
+        if (shape_a.size() != shape_b.size() ||
+            !std::equal(shape_a.begin() + 1, shape_a.end(), shape_b.begin() + 1))
             diff_.heads.push_back(
                 format("{}: {} against {}", table, shape_text(shape_a), shape_text(shape_b)));
         const std::string type_a = a_.number_type(table), type_b = b_.number_type(table);
@@ -233,6 +239,7 @@ class Comparison {
     DiffOptions options_;
     DatasetDiff diff_;
     std::set<std::string> used_;   ///< of the names to ignore
+    bool tells_rows_ = false;      ///< that the files have not the same number
     std::vector<bool> different_;  ///< (frame)
     std::optional<Progress> progress_;
 };

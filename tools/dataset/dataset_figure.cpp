@@ -7,7 +7,6 @@
 #include "tools/dataset/text_histogram.hpp"
 #include "tools/report/canvas.hpp"
 #include "tools/report/csv_table.hpp"
-#include "tools/report/panel_grid.hpp"
 
 namespace specula {
 
@@ -36,27 +35,29 @@ Panels panels_of(const DatasetSummary& summary) {
     return panels;
 }
 
-/// The first bins that hold nearly all energy of every class: a spectrum's far half is noise.
+/// The first bins that hold what can be seen of any class: a spectrum's far half is noise.
 std::size_t shown_values(const Panels& panels, bool is_spectrum) {
     constexpr double least_share = 0.02;
+    constexpr std::size_t leaking = 4, fewest = 16, margin = 4;
     const std::size_t n = panels.classes.front()->profile_mean.size();
     if (!is_spectrum) return n;
-    std::size_t shown = std::min<std::size_t>(n, 16);
-    for (const ClassSummary* each : panels.classes) {
-        const auto& mean = each->profile_mean;
-        const double peak = *std::max_element(
-            mean.begin() + std::min<std::ptrdiff_t>(4, std::ssize(mean) - 1), mean.end());
+    double peak = 0.0;
+    for (const ClassSummary* each : panels.classes)
+        for (std::size_t k = leaking; k < n; ++k) peak = std::max(peak, each->profile_mean[k]);
+    std::size_t shown = std::min(n, fewest);
+    for (const ClassSummary* each : panels.classes)
         for (std::size_t k = shown; k < n; ++k)
-            if (mean[k] > least_share * peak) shown = k + 1;
-    }
-    return std::min(n, shown + 4);
+            if (each->profile_mean[k] > least_share * peak) shown = k + 1;
+    return std::min(n, shown + margin);
 }
 
-std::string profile_data(const ClassSummary& each, std::size_t index, std::size_t shown) {
+std::string profile_data(const ClassSummary& each, std::size_t index, std::size_t shown,
+                         bool is_amplitude) {
     std::string text = format("$c{} << END\n", index);
     for (std::size_t k = 0; k < shown; ++k) {
         const double mean = each.profile_mean[k], sd = each.profile_sd[k];
-        text += format("{} {} {} {}", k, mean, mean - sd, mean + sd);
+        text += format("{} {} {} {}", k, mean, is_amplitude ? std::max(0.0, mean - sd) : mean - sd,
+                       mean + sd);
         for (const auto& example : each.examples) text += format(" {}", example[k]);
         text += "\n";
     }
@@ -75,11 +76,30 @@ std::string profile_plot(const ClassSummary& each, std::size_t index) {
            format(", $c{} using 1:2 with lines linewidth 1.8 linecolor rgb '{}'\n", index, colour);
 }
 
-PanelGrid grid_of(const Panels& panels) {
-    return {.n_panels = panels.size(), .title_px = PanelGrid::line_px};
-}
+/// Where the panels stand: three to a row, each with its own axes.
+struct Grid {
+    static constexpr double width_px = 912.0, panel_px = 160.0, heading_px = 34.0;
+    static constexpr double left_px = 52.0, right_px = 16.0, gap_x_px = 56.0, title_px = 26.0;
+    static constexpr double caption_px = 58.0;  ///< below a panel, with the numbers of its axis
 
-std::string panel_frame(const PanelGrid& grid, std::size_t index, const std::string& title,
+    std::size_t n_panels;
+
+    std::size_t n_columns() const { return std::min<std::size_t>(3, n_panels); }
+    Canvas canvas() const {
+        const auto rows = static_cast<double>((n_panels + n_columns() - 1) / n_columns());
+        return {.width_px = width_px,
+                .height_px = heading_px + rows * (title_px + panel_px + caption_px)};
+    }
+    PixelBox panel(std::size_t index) const {
+        constexpr double panel_width_px = (width_px - left_px - right_px - 2.0 * gap_x_px) / 3.0;
+        const auto column = static_cast<double>(index % 3), row = static_cast<double>(index / 3);
+        const double left = left_px + column * (panel_width_px + gap_x_px);
+        const double top = heading_px + title_px + row * (title_px + panel_px + caption_px);
+        return {.left = left, .top = top, .right = left + panel_width_px, .bottom = top + panel_px};
+    }
+};
+
+std::string panel_frame(const Grid& grid, std::size_t index, const std::string& title,
                         const std::string& below) {
     const Canvas canvas = grid.canvas();
     const PixelBox box = grid.panel(index);
@@ -87,7 +107,7 @@ std::string panel_frame(const PanelGrid& grid, std::size_t index, const std::str
            canvas.label({.text = title, .x_px = box.left, .y_px = box.top - 12, .bold = true}) +
            canvas.label({.text = below,
                          .x_px = 0.5 * (box.left + box.right),
-                         .y_px = box.bottom + 30,
+                         .y_px = box.bottom + 38,
                          .align = "center",
                          .size_px = 11,
                          .colour = soft_ink});
@@ -120,25 +140,27 @@ double highest(const Panels& panels, std::size_t shown) {
 
 std::string script_of(const std::string& title, const DatasetSummary& summary,
                       const Panels& panels) {
-    const PanelGrid grid = grid_of(panels);
-    const std::string unit = summary.profile_axis == "feature" ? "value" : "amplitude (LSB)";
+    const Grid grid{panels.size()};
+    const bool is_amplitude = summary.profile_axis != "feature";
+    const std::string unit = is_amplitude ? "amplitude (LSB)" : "value";
     std::string text = axes_style() + "unset key\n";
     const std::size_t shown =
         panels.classes.empty() ? 0 : shown_values(panels, summary.profile_axis == "range bin");
     for (std::size_t i = 0; i < panels.classes.size(); ++i)
-        text += profile_data(*panels.classes[i], i, shown);
+        text += profile_data(*panels.classes[i], i, shown, is_amplitude);
     text += "set multiplot\n";
     const Canvas canvas = grid.canvas();
     const std::string heading = canvas.label(
-        {.text = title, .x_px = PanelGrid::left_px, .y_px = 12, .size_px = 13.0, .bold = true});
+        {.text = title, .x_px = Grid::left_px, .y_px = 12, .size_px = 13.0, .bold = true});
     for (std::size_t i = 0; i < panels.classes.size(); ++i) {
-        text += panel_frame(grid, i,
-                            format("{} ({})", panels.classes[i]->name, panels.classes[i]->n_frames),
-                            summary.profile_axis + ", " + unit) +
-                (i == 0 ? heading : "") +
-                format("set xrange [0:{}]\nset yrange [*<0:{}]\n",
-                       std::max<std::size_t>(1, shown - 1), highest(panels, shown)) +
-                profile_plot(*panels.classes[i], i);
+        text +=
+            panel_frame(grid, i,
+                        format("{} ({})", panels.classes[i]->name, panels.classes[i]->n_frames),
+                        summary.profile_axis + ", " + unit) +
+            (i == 0 ? heading : "") +
+            format("set xrange [0:{}]\nset yrange [{}:{}]\n", std::max<std::size_t>(1, shown - 1),
+                   is_amplitude ? "0" : "*<0", highest(panels, shown)) +
+            profile_plot(*panels.classes[i], i);
     }
     for (std::size_t i = 0; i < panels.quantities.size(); ++i) {
         const FrameQuantity& quantity = *panels.quantities[i];
@@ -172,7 +194,7 @@ Figure dataset_figure(const std::string& name, const DatasetSummary& summary) {
     const Panels panels = panels_of(summary);
     if (panels.size() == 0)
         throw InputError(name + ": nothing to draw: no frames, or none with a profile");
-    const PanelGrid grid = grid_of(panels);
+    const Grid grid{panels.size()};
     const std::string title =
         format("{}: {} frames, {} sessions", name, summary.n_frames, summary.sessions.size());
     return {.name = "dataset",

@@ -55,12 +55,13 @@ std::string shape_lines(const Subject& subject) {
         text += format("- {} features per frame, from `{}` to `{}`.\n", head.feature_names.size(),
                        head.feature_names.front(), head.feature_names.back());
     text += format(
-        "- {} worlds, {} physical samples, {} sessions{}. Frames of a session differ by noise and "
+        "- Worlds: {}, physical samples: {}, sessions: {}{}. Frames of a session differ by noise "
+        "and "
         "vibration only: **split by `/group/session`, or by `/group/sample` to judge new pieces, "
         "never by frame.**\n",
         subject.summary.worlds.size(), subject.summary.samples.size(),
         subject.summary.sessions.size(),
-        head.has_views ? format(", {} views", subject.summary.views.size()) : "");
+        head.has_views ? format(", views: {}", subject.summary.views.size()) : "");
     return text;
 }
 
@@ -129,6 +130,19 @@ std::string collection(const Subject& subject) {
         subject.origin().version, subject.origin().radar, subject.origin().seed);
 }
 
+/// What `specula augment` notes of itself begins with its seed.
+std::string preprocessing(const Subject& subject) {
+    const std::string& recipe = subject.origin().recipe;
+    if (recipe.rfind("augment_seed", 0) != 0)
+        return "None after the ADC: codes are as the receiver gives them.";
+    std::string text =
+        "Copies of frames were changed by `specula augment`; `/augmentation/copy` is 0 for the "
+        "frames themselves, and the group says what was drawn for the others. Counts above are of "
+        "both together: only samples and sessions count as evidence.\n\n```\n" +
+        recipe;
+    return text + (text.back() == '\n' ? "" : "\n") + "```\n\n";
+}
+
 std::string uses(const Subject& subject) {
     std::string limits =
         subject.simulated()
@@ -145,8 +159,8 @@ std::string uses(const Subject& subject) {
                 "- Class `{}` has {} physical sample{}: what is learnt of it may be the piece, not "
                 "the material.\n",
                 each.name, each.samples.size(), each.samples.size() == 1 ? "" : "s");
-    return "## Preprocessing and labels\n\nNone after the ADC: codes are as the receiver gives "
-           "them, labels are the class of the sample that stood there.\n\n## Uses and limits\n\n"
+    return "## Preprocessing and labels\n\n" + preprocessing(subject) +
+           " Labels are the class of the sample that stood there.\n\n## Uses and limits\n\n"
            "- For training and testing material classifiers, range estimation, and signal "
            "processing of FMCW radar.\n" +
            limits + "\n";

@@ -42,6 +42,8 @@ void print_origin(const Dataset& dataset) {
     std::printf("condition %s, radar %s, range bin %s, seed %llu, version %s\n",
                 origin.condition.c_str(), origin.radar.c_str(), bin.c_str(),
                 static_cast<unsigned long long>(origin.seed), origin.version.c_str());
+    if (origin.recipe.rfind("augment_seed", 0) == 0)
+        std::printf("augmented: changed copies among the frames, see /augmentation\n");
     if (origin.source != "simulation")
         std::printf(
             "source %s%s\n", origin.source.c_str(),

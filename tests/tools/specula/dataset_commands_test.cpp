@@ -68,8 +68,8 @@ TEST_CASE("diff ends with 0, 1 or 2 and names frame, field and values", "[progra
     CHECK(contains(other.output, "against 1234 LSB"));
     CHECK(contains(other.output, "1 of 12 frames differ"));
     CHECK(bench.run({"diff", "a.h5", "b.h5", "--ignore", "/adc,/frame_hash"}).status == 0);
-    for (const auto& [file, problem] :
-         {std::pair{"none.h5", "none.h5: no such file"}, {".", ".: is a folder without index.h5"}}) {
+    for (const auto& [file, problem] : {std::pair{"none.h5", "none.h5: no such file"},
+                                        {".", ".: is a folder without index.h5"}}) {
         const Ended bad = bench.run({"diff", "a.h5", file});
         CHECK(bad.status == 2);
         CHECK(contains(bad.errors, problem));
@@ -140,6 +140,9 @@ TEST_CASE("augment keeps groups, notes what it drew, and does not depend on thre
                              &before.adc[i / 3 * 384]));
     }
     CHECK(drawn.size() == 24);  // no two copies alike
+    CHECK(contains(bench.run({"show", "b.h5"}).output, "\naugmented: changed copies"));
+    REQUIRE(bench.run({"export", "datasheet", "b.h5"}).status == 0);
+    CHECK(contains(content_of(bench.folder / "DATASHEET.md"), "changed by `specula augment`"));
 }
 
 TEST_CASE("augment takes a recipe, features alone, and says what it cannot do",
@@ -168,7 +171,7 @@ TEST_CASE("augment takes a recipe, features alone, and says what it cannot do",
     bench.folder.with("bad.toml", "[[step]]\nkind = \"gain\"\ngain_db = 99\n");
     for (const auto& [arguments, problem] :
          {std::pair{std::vector<std::string>{"--step", "jam=3"}, "--step jam=3: is no step"},
-          {{"--recipe", "bad.toml"}, "bad.toml:3: gain_db = 99"},
+          {{"--recipe", "bad.toml"}, "bad.toml:3: step.gain_db = 99"},
           {{}, "give either --recipe or one --step or more"},
           {{"--step", "range=-400"}, "to within 3 range bins"},
           {{"--step", "gain=1", "--radar", "nobody"}, "radar = \"nobody\": is not known"}}) {
