@@ -5,6 +5,7 @@
 #include <numeric>
 #include <set>
 
+#include "classifier/nearest_neighbours.hpp"
 #include "classifier/predict.hpp"
 #include "sim/core/error.hpp"
 #include "sim/core/expect.hpp"
@@ -23,6 +24,14 @@ template <typename T>
 void shuffle(std::vector<T>& values, Stream& stream) {
     for (std::size_t i = values.size(); i > 1; --i)
         std::swap(values[i - 1], values[stream.below(static_cast<std::uint32_t>(i))]);
+}
+
+/// What is learnt from the one table says about the other.
+Predictions answer(const FeatureTable& training, const FeatureTable& judged,
+                   const CrossValidation& how, const StreamKey& key) {
+    if (how.neighbours == 0) return predict(fold(train(training, how.options, key)), judged);
+    const auto most = static_cast<int>(std::min<std::size_t>(training.size(), 1u << 20));
+    return NearestNeighbours(training, std::min(how.neighbours, most)).predict(judged);
 }
 
 }  // namespace
@@ -83,11 +92,11 @@ std::vector<std::uint8_t> cross_predict(const FeatureTable& rows, const CrossVal
         for (std::size_t i = 0; i < rows.size(); ++i)
             (how.fold[i] == static_cast<int>(held_out) ? judged : training).push_back(i);
         if (judged.empty()) return;
-        const Model model = train(select_rows(rows, training), how.options,
-                                  {.seed = how.seed,
-                                   .purpose = "cross-validation",
-                                   .item = static_cast<std::uint32_t>(held_out)});
-        const Predictions answers = predict(fold(model), select_rows(rows, judged));
+        const Predictions answers =
+            answer(select_rows(rows, training), select_rows(rows, judged), how,
+                   {.seed = how.seed,
+                    .purpose = "cross-validation",
+                    .item = static_cast<std::uint32_t>(held_out)});
         for (std::size_t k = 0; k < judged.size(); ++k) predicted[judged[k]] = answers.label[k];
     };
     for_each_index(static_cast<std::size_t>(how.n_folds), how.threads, run_fold, done);

@@ -42,11 +42,13 @@ struct CrossValidation {
     std::vector<int> fold;  ///< (example)
     int n_folds = 0;
     TrainOptions options;
+    int neighbours = 0;  ///< above 0: so many nearest neighbours answer, and nothing is trained
     std::uint64_t seed = 1;
     int threads = 1;
 };
 
 /// Every example's class as a model says it that was trained without the example's fold.
+/// Throws InputError where a fold leaves nothing to learn from, see check_training_rows.
 /// @out  (example)
 std::vector<std::uint8_t> cross_predict(const FeatureTable& rows, const CrossValidation& how,
                                         std::atomic<std::size_t>* done = nullptr);

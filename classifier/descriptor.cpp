@@ -137,13 +137,14 @@ Descriptor descriptor_of(const Model& model) {
 
 namespace {
 
-FeatureTable frame_features(const Dataset& dataset, const Descriptor& descriptor, int threads) {
+FeatureTable frame_features(const Dataset& dataset, const Descriptor& descriptor, int threads,
+                            std::atomic<std::size_t>* done) {
     if (descriptor.extractor == "range_bins")
         return descriptor.uses_peak() || descriptor.normalise.logarithm || descriptor.unit_energy
-                   ? normalised_bins(dataset, descriptor, threads)
-                   : extract_features(dataset, descriptor.bins, threads);
+                   ? normalised_bins(dataset, descriptor, threads, done)
+                   : extract_features(dataset, descriptor.bins, threads, done);
     if (descriptor.extractor == "relative_profile")
-        return relative_profiles(dataset, descriptor, threads);
+        return relative_profiles(dataset, descriptor, threads, done);
     if (descriptor.extractor == "peak_shape") return peak_shapes(dataset, descriptor, threads);
     FeatureTable table = descriptor.extractor == "columns" ? columns(dataset, descriptor)
                                                            : range_windows(dataset, descriptor);
@@ -169,9 +170,10 @@ void append_columns(const std::vector<float>& more, FeatureTable& table) {
 
 }  // namespace
 
-FeatureTable describe(const Dataset& dataset, const Descriptor& descriptor, int threads) {
+FeatureTable describe(const Dataset& dataset, const Descriptor& descriptor, int threads,
+                      std::atomic<std::size_t>* frames_done) {
     check_fit(dataset, descriptor);
-    FeatureTable table = frame_features(dataset, descriptor, threads);
+    FeatureTable table = frame_features(dataset, descriptor, threads, frames_done);
     if (descriptor.angle_rx > 0) append_columns(angle_cues(dataset, descriptor, threads), table);
     table.extractor = descriptor.extractor;
     table.class_names = dataset.class_names;

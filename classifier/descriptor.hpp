@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <optional>
 #include <string>
 
@@ -52,8 +53,7 @@ struct Descriptor {
     /// Numbers of a row.
     std::size_t n_features() const;
     bool uses_peak() const {
-        return normalise.align || normalise.compensate_range || angle_rx > 0 ||
-               is_relative();
+        return normalise.align || normalise.compensate_range || angle_rx > 0 || is_relative();
     }
     bool is_relative() const {
         return extractor == "relative_profile" || extractor == "peak_shape";
@@ -79,6 +79,8 @@ Descriptor descriptor_of(const Model& model);
 
 /// One row per frame, or per `looks` of them. Throws InputError where the frames cannot be
 /// described so.
-FeatureTable describe(const Dataset& dataset, const Descriptor& descriptor, int threads);
+/// @in  frames_done  counted up, if given
+FeatureTable describe(const Dataset& dataset, const Descriptor& descriptor, int threads,
+                      std::atomic<std::size_t>* frames_done = nullptr);
 
 }  // namespace specula

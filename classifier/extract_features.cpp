@@ -12,8 +12,8 @@ constexpr std::size_t frames_per_block = 256;
 
 }  // namespace
 
-FeatureTable extract_features(const Dataset& dataset, const fw_extract_config& config,
-                              int threads) {
+FeatureTable extract_features(const Dataset& dataset, const fw_extract_config& config, int threads,
+                              std::atomic<std::size_t>* frames_done) {
     FeatureTable table;
     table.extractor = "range_bins";
     table.n_features = config.n_bins;
@@ -42,6 +42,7 @@ FeatureTable extract_features(const Dataset& dataset, const fw_extract_config& c
                     config.first_bin, config.first_bin + config.n_bins - 1, dataset.n_samples,
                     fw_status_name(status)));
         }
+        if (frames_done) *frames_done += last - first;
     };
     const std::size_t n_blocks = (dataset.n_frames() + frames_per_block - 1) / frames_per_block;
     for_each_index(n_blocks, threads, extract_block);

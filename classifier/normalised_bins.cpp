@@ -20,13 +20,14 @@ void scale_to_unit_energy(std::span<float> row) {
 
 }  // namespace
 
-FeatureTable normalised_bins(const Dataset& dataset, const Descriptor& descriptor, int threads) {
+FeatureTable normalised_bins(const Dataset& dataset, const Descriptor& descriptor, int threads,
+                             std::atomic<std::size_t>* frames_done) {
     const fw_normalise_config& steps = descriptor.normalise;
     const BinChoice search = descriptor.profile();
     fw_extract_config wide = descriptor.bins;
     wide.first_bin = static_cast<std::uint16_t>(search.first);
     wide.n_bins = static_cast<std::uint16_t>(search.count);
-    FeatureTable table = extract_features(dataset, wide, threads);
+    FeatureTable table = extract_features(dataset, wide, threads, frames_done);
     const std::size_t n_out = descriptor.bins.n_bins;
     std::vector<float> features(table.size() * n_out);
     for (std::size_t i = 0; i < table.size(); ++i) {

@@ -9,6 +9,7 @@ namespace specula {
 /// @in   descriptor  range_bins
 /// @out  (frame, n_bins); labels and groups are set
 /// Throws InputError where the frames cannot be described so.
-FeatureTable normalised_bins(const Dataset& dataset, const Descriptor& descriptor, int threads);
+FeatureTable normalised_bins(const Dataset& dataset, const Descriptor& descriptor, int threads,
+                             std::atomic<std::size_t>* frames_done = nullptr);
 
 }  // namespace specula

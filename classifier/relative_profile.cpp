@@ -121,7 +121,8 @@ void write_relative(const std::vector<std::vector<double>>& rows, double peak,
 
 }  // namespace
 
-FeatureTable relative_profiles(const Dataset& dataset, const Descriptor& descriptor, int threads) {
+FeatureTable relative_profiles(const Dataset& dataset, const Descriptor& descriptor, int threads,
+                               std::atomic<std::size_t>* frames_done) {
     const Transform transform = transform_for(dataset, descriptor);
     const std::vector<float> peaks = peak_bins(dataset, descriptor, threads);
     FeatureTable table;
@@ -132,6 +133,7 @@ FeatureTable relative_profiles(const Dataset& dataset, const Descriptor& descrip
             mean_rows(dataset, frame, transform), static_cast<double>(peaks[frame]), descriptor,
             transform,
             std::span(table.features).subspan(frame * table.n_features, table.n_features));
+        if (frames_done) ++*frames_done;
     });
     return table;
 }

@@ -17,7 +17,8 @@ namespace specula {
 /// @in   dataset     real beat samples
 /// @in   descriptor  relative_profile, align and range set
 /// @out  (frame, 2 n_bins + 1)
-FeatureTable relative_profiles(const Dataset& dataset, const Descriptor& descriptor, int threads);
+FeatureTable relative_profiles(const Dataset& dataset, const Descriptor& descriptor, int threads,
+                               std::atomic<std::size_t>* frames_done = nullptr);
 
 /// The phases of receivers 1, 2, ... against receiver 0 at the peak, each as (cos, sin): where the
 /// echo comes from, and so the only direct sign of a tilt.

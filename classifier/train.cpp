@@ -147,7 +147,9 @@ void fit(Training<Scalar>& training, const TrainOptions& options, const Examples
             curve.best_epoch = epoch;
             best = network;
         }
-        if (epoch - curve.best_epoch >= options.patience) break;
+        if (epoch - curve.best_epoch < options.patience) continue;
+        if (epochs_done) *epochs_done += static_cast<std::size_t>(options.epochs - epoch);
+        break;
     }
     if (held_out) network = best;
 }

@@ -9,7 +9,7 @@
 namespace specula {
 namespace {
 
-constexpr Canvas reliability_canvas{.width_px = 480, .height_px = 412};
+constexpr Canvas reliability_canvas{.width_px = 480, .height_px = 462};
 constexpr PixelBox reliability_area{.left = 56, .top = 52, .right = 464, .bottom = 356};
 constexpr std::size_t raw_series = 0, scaled_series = 2;
 constexpr double bar_height = 18.0;  // percent of the axis that the fullest bin's bar takes
@@ -46,7 +46,7 @@ LegendEntry curve_entry(const std::string& label, const Reliability& reliability
 }
 
 std::string legends(const ReliabilityCurves& curves) {
-    const double x = reliability_area.left + 14, y = reliability_area.top + 18;
+    const double x = reliability_area.left, y = reliability_area.bottom + 74;  // below the axis
     std::string text =
         legend_row(reliability_canvas, x, y, {curve_entry("as trained", curves.raw, raw_series)})
             .commands;

@@ -32,7 +32,7 @@ std::string script(const std::string& title, const std::string& second_line,
         block += format("{} {}\n", 100.0 * curve.coverage(k), 100.0 * curve.risk[k]);
     block += "END\n";
     const double highest = *std::ranges::max_element(curve.risk);
-    const double top = 100.0 * std::max(1.15 * highest, 2.0 * accepted_risk);
+    const double top = 100.0 * std::min(1.0, std::max(1.15 * highest, 2.0 * accepted_risk));
     return axes_style() + format("set xrange [0:100]\nset yrange [0:{}]\nset xtics 20\n", top) +
            risk_canvas.frame(risk_area) + risk_canvas.heading(risk_area, title, second_line) +
            risk_canvas.axis_titles(risk_area, "coverage: frames answered, the surest first (%)",

@@ -278,8 +278,8 @@ int run_program(int argc, char** argv) {
             if (command == "export" && !export_.what.empty())
                 export_recording_command(export_, catalogue);
             if (command == "train") train_command(training, catalogue);
-            if (command == "evaluate") evaluate_command(evaluation);
-            if (command == "predict") predict_command(prediction);
+            if (command == "evaluate") evaluate_command(evaluation, catalogue);
+            if (command == "predict") predict_command(prediction, catalogue);
             if (is_dataset_command(program))
                 status = run_dataset_command(program, datasets, catalogue);
             else if (is_firmware_command(command) && export_.what.empty())

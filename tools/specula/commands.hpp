@@ -132,13 +132,14 @@ struct EvaluateArguments {
     int folds = 10;
     int repeats = 3;
     bool leak_check = false;
+    int neighbours = 0;               ///< so many nearest ones answer; 0: a trained network
     std::filesystem::path json;       ///< to write; empty: none
     std::filesystem::path figure;     ///< folder to draw in; empty: none
     std::vector<std::string> merged;  ///< classes that count as one
     std::string nominal;              ///< dataset of nominal sessions recorded anew; empty: none
     Learning learning;
 };
-void evaluate_command(const EvaluateArguments& arguments);
+void evaluate_command(const EvaluateArguments& arguments, const Catalogue& catalogue);
 
 struct PredictArguments {
     std::filesystem::path model;
@@ -146,7 +147,7 @@ struct PredictArguments {
     std::filesystem::path out;  ///< .csv or .json; empty: standard output
     int threads = 1;
 };
-void predict_command(const PredictArguments& arguments);
+void predict_command(const PredictArguments& arguments, const Catalogue& catalogue);
 
 struct ExportModelArguments {
     std::filesystem::path model;

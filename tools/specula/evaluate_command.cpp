@@ -17,6 +17,7 @@
 #include "tools/specula/evaluation_text.hpp"
 #include "tools/specula/learning.hpp"
 #include "tools/specula/leave_out_report.hpp"
+#include "tools/specula/output_place.hpp"
 
 namespace specula {
 
@@ -29,16 +30,25 @@ struct Answered {
     std::string fingerprint;
 };
 
-Answered answer(const std::string& file, const Model& model, const std::string& model_file,
-                int threads) {
+/// A model, its file, and what its answers need besides.
+struct Judge {
+    const Model& model;
+    const std::string& file;
+    const Catalogue& catalogue;
+    int threads;
+};
+
+Answered answer(const std::string& file, const Judge& judge) {
+    const Model& model = judge.model;
     const Dataset dataset = read_dataset(file);
     if (model.class_names != dataset.class_names)
         throw InputError(
             format("{}: class_names: are not those of {}; use data of the same "
                    "classes in the same order",
-                   file, model_file));
+                   file, judge.file));
     try {
-        Answered answered{.rows = rows_for(model, dataset, threads),
+        expect_measured_for(model, dataset, judge.catalogue);
+        Answered answered{.rows = rows_for(model, dataset, judge.threads),
                           .answers = {},
                           .fingerprint = fingerprint(dataset)};
         answered.answers = predict(fold(model), answered.rows);
@@ -97,15 +107,17 @@ std::optional<Departure> compared(const std::optional<Answered>& nominal, const 
         {.rows = asked.rows, .predictions = asked.answers, .spread = spread});
 }
 
-void evaluate_model(const EvaluateArguments& arguments) {
+void evaluate_model(const EvaluateArguments& arguments, const Catalogue& catalogue) {
     const std::string& model_file = arguments.what[0];
     const std::string& data = arguments.what[1];
-    const int threads = arguments.learning.threads;
+    if (!arguments.json.empty())
+        prepare_output(arguments.json, {model_file, data, arguments.nominal});
     const Model model = read_model(model_file);
+    const Judge judge{model, model_file, catalogue, arguments.learning.threads};
     const std::vector<int> merged = merged_map(arguments.merged, model.class_names);
-    const Answered asked = answer(data, model, model_file, threads);
+    const Answered asked = answer(data, judge);
     std::optional<Answered> nominal;
-    if (!arguments.nominal.empty()) nominal = answer(arguments.nominal, model, model_file, threads);
+    if (!arguments.nominal.empty()) nominal = answer(arguments.nominal, judge);
 
     EvaluationFacts facts{.model = model_file,
                           .data = data,
@@ -125,7 +137,8 @@ void evaluate_model(const EvaluateArguments& arguments) {
     const std::optional<Departure> departure = compared(nominal, asked, model);
 
     print_assessment(assessment, {.class_names = model.class_names,
-                                  .merged_label = merged_text(arguments.merged)});
+                                  .merged_label = merged_text(arguments.merged),
+                                  .has_temperature = nominal.has_value()});
     if (departure) print_departure(*departure);
     if (!arguments.json.empty()) {
         write_file_atomically(arguments.json, evaluation_json(facts, assessment, departure));
@@ -136,6 +149,8 @@ void evaluate_model(const EvaluateArguments& arguments) {
 
 void check_arguments(const EvaluateArguments& arguments) {
     const bool cross = !arguments.leave_out.empty();
+    if (!cross && arguments.neighbours > 0)
+        throw InputError("--neighbours goes with --leave-out: there is no model to judge");
     if (arguments.what.size() != (cross ? 1u : 2u))
         throw InputError(cross ? "--leave-out trains its own models; name the dataset alone"
                                : "name a model and a dataset, or a dataset with --leave-out");
@@ -147,10 +162,10 @@ void check_arguments(const EvaluateArguments& arguments) {
 
 }  // namespace
 
-void evaluate_command(const EvaluateArguments& arguments) {
+void evaluate_command(const EvaluateArguments& arguments, const Catalogue& catalogue) {
     check_arguments(arguments);
     if (arguments.leave_out.empty()) {
-        evaluate_model(arguments);
+        evaluate_model(arguments, catalogue);
         return;
     }
     try {

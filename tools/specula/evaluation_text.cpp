@@ -14,15 +14,19 @@ void print_share(const char* what, const Interval& share) {
                 100.0 * share.low, 100.0 * share.high);
 }
 
-void print_calibration(const Assessment& assessment) {
+void print_calibration(const Assessment& assessment, bool has_temperature) {
     std::printf("%-34s %6.1f %%\n", "mean confidence",
                 100.0 * assessment.reliability.mean_confidence);
-    std::printf("%-34s %6.1f %%   after temperature scaling %.1f %%\n",
-                "expected calibration error, 15 bins",
-                100.0 * assessment.reliability.expected_calibration_error,
-                100.0 * assessment.reliability_scaled.expected_calibration_error);
-    std::printf("%-34s %8.3f   after temperature scaling %.3f\n", "negative log-likelihood (nats)",
-                assessment.negative_log_likelihood, assessment.negative_log_likelihood_scaled);
+    std::printf("%-34s %6.1f %%", "expected calibration error, 15 bins",
+                100.0 * assessment.reliability.expected_calibration_error);
+    if (has_temperature)
+        std::printf("   after temperature scaling %.1f %%",
+                    100.0 * assessment.reliability_scaled.expected_calibration_error);
+    std::printf("\n%-34s %8.3f", "negative log-likelihood (nats)",
+                assessment.negative_log_likelihood);
+    if (has_temperature)
+        std::printf(" after temperature scaling %.3f", assessment.negative_log_likelihood_scaled);
+    std::printf("\n");
     std::printf("%-34s %8.3f\n", "Brier score", assessment.brier);
     std::printf("%-34s %8.3f\n", "area under risk-coverage", assessment.area_under_risk_coverage);
     std::printf("%-34s %6.1f %%\n", "coverage at 5 % risk",
@@ -53,7 +57,7 @@ void print_assessment(const Assessment& assessment, const AssessmentNames& names
     print_share("macro-F1, mean over worlds", assessment.macro_f1);
     if (!names.merged_label.empty())
         print_share(names.merged_label.c_str(), assessment.macro_f1_merged);
-    print_calibration(assessment);
+    print_calibration(assessment, names.has_temperature);
     print_confusion(assessment.confusion, names.class_names);
 }
 

@@ -10,7 +10,8 @@ namespace specula {
 /// Names beside the numbers of an assessment.
 struct AssessmentNames {
     const std::vector<std::string>& class_names;
-    std::string merged_label;  ///< "aluminium and iron merged"; empty: none are
+    std::string merged_label{};    ///< "aluminium and iron merged"; empty: none are
+    bool has_temperature = false;  ///< whether one was fitted
 };
 
 /// Scores, losses, calibration and confusion on standard output; shares in percent, losses in nats.

@@ -3,11 +3,13 @@
 #include <algorithm>
 
 #include "classifier/looks.hpp"
+#include "classifier/same_measurement.hpp"
 #include "classifier/training_rows.hpp"
 #include "sim/core/document.hpp"
 #include "sim/core/error.hpp"
 #include "sim/core/format.hpp"
 #include "tools/specula/bin_choice.hpp"
+#include "tools/study/progress.hpp"
 
 namespace specula {
 
@@ -40,8 +42,20 @@ std::vector<std::size_t> first_frames(const Dataset& dataset, const Descriptor& 
     return all;
 }
 
+FeatureTable described(const Dataset& dataset, const Descriptor& descriptor, int threads) {
+    constexpr std::size_t soon_done = 20'000;  // frames, a second's work for one processor
+    if (dataset.n_frames() < soon_done) return describe(dataset, descriptor, threads);
+    Progress progress("Describing", "frames", dataset.n_frames());
+    return describe(dataset, descriptor, threads, &progress.done());
+}
+
+void expect_measured_for(const Model& model, const Dataset& dataset, const Catalogue& catalogue) {
+    if (!model.measurement || dataset.adc.empty()) return;
+    expect_same_measurement(*model.measurement, dataset, known_radar(dataset, catalogue));
+}
+
 FeatureTable rows_for(const Model& model, const Dataset& dataset, int threads) {
-    const FeatureTable rows = describe(dataset, descriptor_of(model), threads);
+    const FeatureTable rows = described(dataset, descriptor_of(model), threads);
     if (rows.n_features != model.n_features())
         throw InputError(
             format("descriptor: gives {} features and the model takes {}; use frames like those "

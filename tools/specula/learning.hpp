@@ -11,8 +11,14 @@ TrainOptions training_options(const Learning& learning);
 /// What frames are described by: --descriptor, or what fits them with --bins.
 Descriptor chosen_descriptor(const Learning& learning, const Dataset& dataset);
 
+/// describe, with a progress line where there are frames enough to wait for.
+FeatureTable described(const Dataset& dataset, const Descriptor& descriptor, int threads);
+
 /// (row): the first of the frames that make it.
 std::vector<std::size_t> first_frames(const Dataset& dataset, const Descriptor& descriptor);
+
+/// Throws InputError where the frames' radar is known to be another than the model's.
+void expect_measured_for(const Model& model, const Dataset& dataset, const Catalogue& catalogue);
 
 /// Rows as a model wants them. Throws InputError where its features are others, or not finite.
 FeatureTable rows_for(const Model& model, const Dataset& dataset, int threads);

@@ -148,6 +148,10 @@ void add_evaluate(CLI::App& program, EvaluateArguments& arguments) {
         ->capture_default_str();
     command->add_flag("--leak-check", arguments.leak_check,
                       "also with the classes of the objects shuffled");
+    command
+        ->add_option("--neighbours", arguments.neighbours,
+                     "with --leave-out: so many nearest frames vote, in place of a network")
+        ->check(CLI::Range(1, 1000).description(""));
     add_outputs(command, arguments);
     add_learning(command, arguments.learning);
 }

@@ -76,6 +76,7 @@ SplitScores cross_validate(const FeatureTable& rows, const Dataset& dataset, Lea
     CrossValidation how{.fold = deal_folds(rows, group, arguments.folds),
                         .n_folds = arguments.folds,
                         .options = training_options(learning),
+                        .neighbours = arguments.neighbours,
                         .seed = learning.seed,
                         .threads = learning.threads};
     SplitScores scores;
@@ -126,7 +127,7 @@ void print_scores(const std::map<std::string, SplitScores>& all, const EvaluateA
 void evaluate_left_out(const EvaluateArguments& arguments) {
     const Dataset dataset = read_dataset(arguments.what[0]);
     const Descriptor descriptor = chosen_descriptor(arguments.learning, dataset);
-    const FeatureTable rows = describe(dataset, descriptor, arguments.learning.threads);
+    const FeatureTable rows = described(dataset, descriptor, arguments.learning.threads);
     std::map<std::string, SplitScores> all;
     {
         const auto n_models = arguments.leave_out.size() *

@@ -12,6 +12,7 @@
 #include "tools/report/csv_table.hpp"
 #include "tools/specula/commands.hpp"
 #include "tools/specula/learning.hpp"
+#include "tools/specula/output_place.hpp"
 
 namespace specula {
 
@@ -100,16 +101,18 @@ std::string json_of(const Answers& answers, const Model& model, const Dataset& d
 
 }  // namespace
 
-void predict_command(const PredictArguments& arguments) {
+void predict_command(const PredictArguments& arguments, const Catalogue& catalogue) {
     const std::string form = arguments.out.empty() ? ".csv" : arguments.out.extension().string();
     if (form != ".csv" && form != ".json")
         throw InputError(
             format("--out = {}: its name does not tell its form; end it in .csv or .json",
                    arguments.out.string()));
+    if (!arguments.out.empty()) prepare_output(arguments.out, {arguments.model, arguments.data});
     const Model model = read_model(arguments.model);
     const Dataset dataset = read_dataset(arguments.data);
     std::string text;
     try {
+        expect_measured_for(model, dataset, catalogue);
         const Answers answers = answers_of(model, dataset, arguments.threads);
         text = form == ".csv" ? csv_of(answers, model) : json_of(answers, model, dataset);
     } catch (const InputError& error) {

@@ -14,6 +14,7 @@
 #include "tools/specula/commands.hpp"
 #include "tools/specula/evaluation_text.hpp"
 #include "tools/specula/learning.hpp"
+#include "tools/specula/output_place.hpp"
 #include "tools/study/progress.hpp"
 
 namespace specula {
@@ -42,7 +43,7 @@ void print_held_out(const SessionSplit& split, const Model& model) {
         assess(split.held_out, answers,
                {.merged_class = {}, .resampling = {.key = {.seed = 1, .purpose = "bootstrap"}}});
     std::printf("\nOn the sessions held out:\n");
-    print_assessment(assessment, {.class_names = model.class_names, .merged_label = ""});
+    print_assessment(assessment, {.class_names = model.class_names});
     std::printf("\n");
 }
 
@@ -75,11 +76,12 @@ std::optional<Measurement> measurement_for(const TrainArguments& arguments, cons
 }  // namespace
 
 void train_command(const TrainArguments& arguments, const Catalogue& catalogue) {
+    prepare_output(arguments.out, {arguments.data, arguments.radar});
     const Dataset dataset = read_dataset(arguments.data);
     try {
         const Learning& learning = arguments.learning;
         const Descriptor descriptor = chosen_descriptor(learning, dataset);
-        SessionSplit split{.training = describe(dataset, descriptor, learning.threads),
+        SessionSplit split{.training = described(dataset, descriptor, learning.threads),
                            .held_out = {}};
         const bool holds_out = !arguments.holdout.empty();
         if (holds_out) {

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <exception>
 
 #include "sim/core/format.hpp"
 
@@ -33,6 +34,11 @@ Progress::~Progress() {
     }
     wake_.notify_one();
     watcher_.join();
+    // What went wrong is told in one line of its own; a bar beside it would only be in the way.
+    if (std::uncaught_exceptions() > 0) {
+        if (on_terminal_) std::fprintf(stderr, "\r\033[K");
+        return;
+    }
     std::fprintf(stderr, on_terminal_ ? "\r\033[K%s\n" : "%s\n", line().c_str());
 }
 

@@ -220,15 +220,30 @@ TEST_CASE("a model of a known radar goes to the chip; of another, the way is tol
     folder.run({"export", "model", "m.json", "--blob", "m.rfwm"});
     CHECK(std::filesystem::file_size(folder / "m.rfwm") > 1000);
     folder.run(with({"train", "other.h5", "-o", "o.json"}, quick));
-    CHECK(folder.refusal({"export", "model", "o.json", "--blob", "o.rfwm"}) ==
-          "o.json: measurement: the model does not say which radar's chirps it was trained on; "
-          "train it with --radar NAME on beat samples, or export the network alone as --onnx");
+    const std::string untold = folder.refusal({"export", "model", "o.json", "--blob", "o.rfwm"});
+    CHECK(untold.rfind("o.json: measurement: is missing", 0) == 0);
+    CHECK(contains(untold, "--radar NAME"));
     folder.run(with({"train", "other.h5", "-o", "o.json", "--radar", "iwrl6432boost"}, quick));
     folder.run({"export", "model", "o.json", "--blob", "o.rfwm"});
+    Dataset shorter = recorded_by("my own");
+    shorter.n_samples = 64;
+    shorter.n_rx = 6;
+    write_dataset(folder / "shorter.h5", shorter);
+    CHECK(folder.refusal({"evaluate", "o.json", "shorter.h5"})
+              .rfind("shorter.h5: samples per chirp = 64: the model was trained on 128", 0) == 0);
     CHECK(folder.refusal({"train", "a.h5", "-o", "x.json", "--radar", "iwrl6432boost"})
               .rfind("a.h5: --radar iwrl6432boost: sends 1 chirps of 128 samples to 3 receivers a "
                      "frame, and the frames hold 0 of 0 from 0",
                      0) == 0);
+}
+
+TEST_CASE("neighbours answer a cross-validation in place of a network", "[program][learning]") {
+    const Folder folder;
+    const std::string said = folder.run({"evaluate", "a.h5", "--leave-out", "session",
+                                         "--neighbours", "5", "--folds", "4", "--repeats", "1"});
+    CHECK((contains(said, "100.0 +- 0.0 %") || contains(said, "99.")));
+    CHECK(folder.refusal({"evaluate", "m.json", "a.h5", "--neighbours", "5"}) ==
+          "--neighbours goes with --leave-out: there is no model to judge");
 }
 
 TEST_CASE("data that nothing can be learnt from are refused in one line", "[program][learning]") {
@@ -294,6 +309,13 @@ TEST_CASE("data that do not fit a model are refused in one line", "[program][lea
           "--out = x.txt: its name does not tell its form; end it in .csv or .json");
     CHECK(folder.refusal({"evaluate", "m.json", "b.h5", "--merge", "steel"}) ==
           "--merge: \"steel\" is no class of the data; use \"glass\", \"iron\" or \"wood\"");
+    CHECK(folder.refusal({"train", "a.h5", "-o", "a.h5"}) ==
+          "a.h5: is an input of this command; give --out another name");
+    CHECK(folder.refusal({"predict", "m.json", "b.h5", "-o", "m.json"}).rfind("m.json: is an", 0) ==
+          0);
+    CHECK(
+        folder.refusal({"evaluate", "m.json", "b.h5", "--json", "b.h5"}).rfind("b.h5: is an", 0) ==
+        0);
     CHECK(folder.refusal({"evaluate", "a.h5", "--leave-out", "frame", "--json", "x.json"}) ==
           "--json, --figure, --merge and --nominal go with a model, not with --leave-out");
 }
