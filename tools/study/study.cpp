@@ -61,10 +61,11 @@ const Extent& extent_of(const StudyRequest& request, const Experiment& experimen
 }
 
 /// Nominal recordings alone decide; the file appears before any other geometry is simulated.
-FrozenCalibration calibrated(const Source& source, const RunSettings& run, const Extent& extent) {
+FrozenCalibration calibrated(const std::optional<NominalSource>& nominal,
+                             const Experiment& experiment, const RunSettings& run,
+                             const Extent& extent) {
     CalibrationOutcome outcome;
-    if (const auto& plan = source.experiment.protocol.calibration)
-        outcome = calibrate(*plan, NominalSource(source.experiment, source.materials, run), extent);
+    if (nominal) outcome = calibrate(*experiment.protocol.calibration, *nominal, extent);
     return freeze_calibration(outcome, run.folder / "calibration.json");
 }
 
@@ -110,9 +111,11 @@ StudySummary run_study(const StudyRequest& request, const Catalogue& catalogue) 
                           .folder = request.out,
                           .describe_rungs = extent.ladder && !experiment.protocol.rungs.empty(),
                           .before_recording = request.before_recording};
+    std::optional<NominalSource> nominal;  // refuses what is no nominal geometry
+    if (experiment.protocol.calibration) nominal.emplace(experiment, catalogue.materials, run);
     make_folders(request.out);
     StageClock clock;
-    const FrozenCalibration frozen = calibrated({experiment, catalogue.materials}, run, extent);
+    const FrozenCalibration frozen = calibrated(nominal, experiment, run, extent);
     clock.ended("calibration");
     Assumption ratio;
     ratio.snr_db = frozen.outcome().snr_db;

@@ -68,7 +68,7 @@ TEST_CASE("a study with all its parts says the same on one thread and on two", "
         }
     }
     SECTION("the first rung is the study's own classifier, and gains nothing over itself") {
-        REQUIRE(results.ladder.size() == 2);
+        REQUIRE(results.ladder.size() == 3);
         for (std::size_t domain = 0; domain < results.ladder[0].domains.size(); ++domain) {
             CHECK(results.ladder[0].gain[domain].mean == 0.0);
             CHECK(results.ladder[0].domains[domain].all.mean ==
@@ -78,6 +78,8 @@ TEST_CASE("a study with all its parts says the same on one thread and on two", "
         // 12 inputs, 6 units, 2 classes, and nothing before them.
         CHECK(results.ladder[0].cost.multiplications == 12 * 6 + 6 * 2);
         CHECK(results.ladder[1].cost.multiplications > results.ladder[0].cost.multiplications);
+        CHECK(results.ladder[2].descriptor == "range_bins 6 12 blackman looks 2 spread in motion");
+        CHECK(results.ladder[2].cost.n_features == 24);
     }
     SECTION("the grid holds every height with every tilt, and the receiver's cells") {
         CHECK(results.severity.height_offsets_m == std::vector<double>{0.0, 0.05});
@@ -117,6 +119,8 @@ TEST_CASE("a rung that names no training set or descriptor is refused", "[study]
         std::string::npos);
     CHECK(refusal("range_bins 6 12 blackman align", "range_bin 6 12 blackman align")
               .find("descriptor") != std::string::npos);
+    CHECK(refusal("[motion]\ndisplacement_um = { normal = [0.0, 500.0] }\n", "")
+              .find("needs a [motion]") != std::string::npos);
     CHECK(refusal("admissible_snr_db = [0, 6]", "admissible_snr_db = [1, 6]")
               .find("does not hold 0") != std::string::npos);
     CHECK(refusal("variant_conditions = [\"height\"]", "variant_conditions = [\"heigth\"]")

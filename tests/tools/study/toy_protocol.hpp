@@ -31,6 +31,9 @@ spread_height_mm = { uniform = [-110, 110] }
 sessions = 2
 frames = 6
 
+[motion]
+displacement_um = { normal = [0.0, 500.0] }
+
 [[rung]]
 name = "paper"
 title = "As it is"
@@ -40,6 +43,12 @@ name = "aligned"
 title = "Aligned"
 descriptor = "range_bins 6 12 blackman align 11.5 range 11.5 log 0.1 search 4 20"
 training = "heights"
+
+[[rung]]
+name = "moving"
+title = "Two looks in motion"
+motion = true
+descriptor = "range_bins 6 12 blackman looks 2 spread"
 
 [[variant]]
 name = "hann"
