@@ -111,7 +111,7 @@ std::string short_title(const std::string& condition) {
         {tilt_sensor_condition, "Sensor tilted"},
         {tilt_sample_condition, "Sample tilted"},
         {similar_condition, "Other samples"},
-        {"joint", "Height and tilt"}};
+        {joint_condition, "Height and tilt"}};
     for (const auto& [name, title] : titles)
         if (name == condition) return title;
     return condition;

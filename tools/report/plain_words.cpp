@@ -45,9 +45,10 @@ void say_leak(const StudySummary& study, std::vector<Paragraph>& words) {
         percent_text(leak->value.mean));
     if (const HonestyCheck* placebo = check_named(study, "placebo"))
         text += format(
-            " With two plates of one metal in place of iron and aluminium, new sessions give {}: "
-            "what tells the two apart is the plate, not the metal.",
-            percent_text(placebo->value.mean));
+            " With two plates of one metal in place of {}, new sessions give {}: what tells the "
+            "two "
+            "apart, as far as anything does, is the plate, not the metal.",
+            merged_names(study), percent_text(placebo->value.mean));
     words.push_back({.lead = "The number on the bench.", .text = text});
 }
 
@@ -95,7 +96,7 @@ void say_detectors(const StudySummary& study, std::vector<Paragraph>& words) {
             return s.detector == detector && s.domain == domain;
         });
     };
-    const auto probability = find("softmax_probability", height_condition);
+    const auto probability = find("msp", height_condition);
     const auto distance = find("mahalanobis", height_condition);
     const auto end = study.results.detectors.end();
     if (probability == end || distance == end) return;

@@ -83,7 +83,9 @@ void Ladder::record_motion() {
     Experiment moving = context_.experiment;
     moving.population.frame = *moving.protocol.motion;
     RunSettings run = context_.run;
-    run.in_motion = true;
+    run.kinds.clear();
+    for (const RungPlan& rung : rungs)
+        if (rung.motion) run.kinds.push_back(rung.kind());
     std::vector<Condition> conditions{moving.training};
     for (const Recording* recording : input_.conditions) conditions.push_back(recording->condition);
     std::size_t n_sessions = 0;
@@ -110,7 +112,9 @@ RungRows Ladder::rows_of(const RungPlan& rung) const {
     if (set != sets_.end()) {
         const WorldRows own = rows_by_world(set->second.described.at(rung.kind()), worlds);
         for (std::size_t world = 0; world < own.size(); ++world)
-            rows.training[world] = thinned(own[world], splits.training[world].size());
+            rows.training[world] = thinned(
+                own[world], static_cast<std::size_t>(
+                                rung.budget * static_cast<double>(splits.training[world].size())));
     }
     for (const Recording* recording : input_.conditions) {
         rows.domains.push_back(recording->condition.name);
@@ -153,6 +157,7 @@ std::vector<LadderRung> Ladder::run() const {
                              .title = plan.title,
                              .training = plan.training,
                              .descriptor = plan.kind(),
+                             .budget = plan.budget,
                              .cost = cost_of(plan, models.front(),
                                              static_cast<int>(context_.experiment.radar.rx.size()) *
                                                  context_.experiment.radar.chirps_per_frame)});

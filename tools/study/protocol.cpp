@@ -72,6 +72,7 @@ RungPlan read_rung(Section section, const Experiment& experiment, const Protocol
     if (rung.motion && (!protocol.motion || rung.training != sets.front()))
         section.fail("motion", "needs a [motion] and the training recordings",
                      "describe the motion, and name no training set");
+    rung.budget = section.number("budget", Range::between(1.0, 100.0), rung.budget);
     read_remedy_options(section, rung.options);
     section.finish();
     return rung;

@@ -46,6 +46,7 @@ struct RungPlan {
     std::string descriptor;   ///< as parse_descriptor takes it
     bool motion = false;      ///< learnt and judged on frames recorded in motion
     bool known_gain = false;  ///< features over the true gain: an ideal reference reflector
+    double budget = 1.0;      ///< rows and steps over the baseline's
     TrainOptions options;     ///< the experiment's, with what the rung changes
 
     /// Names the features: rungs of one kind share them.

@@ -78,8 +78,8 @@ SeverityGrid severity_grid(const StudyContext& context, const std::vector<GridEn
     SPECULA_EXPECT(!entrants.empty());
     const SeverityPlan& plan = *context.experiment.protocol.severity;
     RunSettings run = context.run_with(static_cast<int>(entrants.front().models.size()));
-    run.describe_rungs =
-        std::ranges::any_of(entrants, [](const GridEntrant& e) { return !e.kind.empty(); });
+    for (const GridEntrant& entrant : entrants)
+        if (!entrant.kind.empty()) run.kinds.push_back(entrant.kind);
     SeverityGrid grid;
     for (const GridEntrant& entrant : entrants) grid.classifiers.push_back(entrant.name);
     grid.height_offsets_m = plan.height_offsets_m;

@@ -83,6 +83,14 @@ std::vector<Recording> record_all(const FrozenCalibration& frozen, const Source&
     return recordings;
 }
 
+/// What recordings are described as for the ladder; rungs in motion have recordings of their own.
+std::vector<std::string> still_kinds(const Experiment& experiment, const Extent& extent) {
+    std::vector<std::string> kinds;
+    for (const RungPlan& rung : experiment.protocol.rungs)
+        if (extent.ladder && !rung.motion) kinds.push_back(rung.kind());
+    return kinds;
+}
+
 void describe_study(const StudyRequest& request, const StudyContext& context,
                     StudySummary& summary) {
     const Experiment& experiment = context.experiment;
@@ -109,7 +117,7 @@ StudySummary run_study(const StudyRequest& request, const Catalogue& catalogue) 
                           .worlds = extent.worlds,
                           .threads = request.threads,
                           .folder = request.out,
-                          .describe_rungs = extent.ladder && !experiment.protocol.rungs.empty(),
+                          .kinds = still_kinds(experiment, extent),
                           .before_recording = request.before_recording};
     std::optional<NominalSource> nominal;  // refuses what is no nominal geometry
     if (experiment.protocol.calibration) nominal.emplace(experiment, catalogue.materials, run);

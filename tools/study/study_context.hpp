@@ -29,7 +29,7 @@ struct StudyContext {
     RunSettings run_with(int worlds) const {
         RunSettings other = run;
         other.worlds = worlds;
-        other.describe_rungs = false;
+        other.kinds.clear();
         return other;
     }
     StreamKey bootstrap() const { return {.seed = run.seed, .purpose = "bootstrap"}; }

@@ -96,7 +96,7 @@ void extend_study(const StudyState& state, StageClock& clock, StudySummary& summ
     std::optional<Ladder> ladder;
     const auto conditions = conditions_of(state);
     const LadderInput input{state.recordings.front(), conditions};
-    if (context.run.describe_rungs) {
+    if (context.extent.ladder && !protocol.rungs.empty()) {
         ladder.emplace(context, input);
         clock.ended("recording for remedies");
         results.ladder = ladder->run();
