@@ -61,7 +61,8 @@ TEST_CASE("the chip's shape has the amplitudes of the exact one", "[descriptor]"
                 return std::hypot(rows.row(i)[2 * k], rows.row(i)[2 * k + 1]);
             };
             INFO(i << " " << k);
-            CHECK(size(chip) == Approx(size(exact)).margin(0.03));  // the cubic, see fw_relative
+            CHECK(size(chip) ==
+                  Approx(size(exact)).margin(0.06));  // 0.044, worked out apart from the code
         }
 }
 

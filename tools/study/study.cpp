@@ -153,7 +153,7 @@ StudySummary run_study(const StudyRequest& request, const Catalogue& catalogue) 
     extend_study({context, recordings, baseline}, clock, summary);
 
     write_file_atomically(request.out / "results.json", results_json(summary));
-    write_study_report(request.out, summary);
+    if (request.report) write_study_report(request.out, summary);
     clock.ended("report");
     write_file_atomically(request.out / "stages.csv", clock.csv());
     return summary;
