@@ -144,10 +144,13 @@ Paragraph calibration_words(const CalibrationOutcome& outcome) {
     if (outcome.reached)
         return {.lead = "Calibration.",
                 .text = what + format("It is met at {:+.1f}\u00a0dB.", outcome.snr_db) + frozen};
+    const double one_frame = outcome.trials.front().macro_f1;
     std::string text = what + format(
-                                  "No admissible value meets it: one frame already scores {}, so "
-                                  "the radar file\u2019s own ratio stays.",
-                                  percent_text(outcome.trials.front().macro_f1));
+                                  "No admissible value meets it: one frame {} scores {}, so the "
+                                  "radar file\u2019s own ratio "
+                                  "stays.",
+                                  one_frame > outcome.target_macro_f1 ? "already" : "only",
+                                  percent_text(one_frame));
     if (outcome.matching)
         text += format(" It would take {:+.1f}\u00a0dB.", outcome.matching->snr_db);
     return {.lead = "Calibration.", .text = text + frozen};
