@@ -53,6 +53,18 @@ SessionLaw read_session(Section section) {
     return law;
 }
 
+ClutterLaw read_clutter(Section section) {
+    ClutterLaw law{
+        .points = section.count("points", Range::between(0, 1000)),
+        .level_db = section.quantity("level", Unit::ratio_db, Range::between(-200.0, 40.0)),
+        .range_m = section.distribution("range", Unit::length, Range::inside(0.05, 100.0)),
+    };
+    section.finish();
+    return law;
+}
+
+}  // namespace
+
 FrameLaw read_frame(Section section) {
     FrameLaw law{
         .displacement_m =
@@ -68,18 +80,6 @@ FrameLaw read_frame(Section section) {
     section.finish();
     return law;
 }
-
-ClutterLaw read_clutter(Section section) {
-    ClutterLaw law{
-        .points = section.count("points", Range::between(0, 1000)),
-        .level_db = section.quantity("level", Unit::ratio_db, Range::between(-200.0, 40.0)),
-        .range_m = section.distribution("range", Unit::length, Range::inside(0.05, 100.0)),
-    };
-    section.finish();
-    return law;
-}
-
-}  // namespace
 
 bool SessionLaw::board_drifts() const {
     const auto is_nothing = [](const Distribution& law) {

@@ -65,6 +65,9 @@ struct Population {
     std::vector<std::string> class_names() const;
 };
 
+/// Reads [frame], or another section with its keys.
+FrameLaw read_frame(Section section);
+
 /// Reads [sample], [[class]], [session], [frame], [world_clutter] and [session_clutter].
 Population read_population(Section& experiment, const Catalogue& catalogue);
 

@@ -80,17 +80,17 @@ TEST_CASE("the relative shape is the spectrum about the peak, over the peak", "[
             const Complex expected =
                 sum_at(samples, peak + k) / top * std::polar(1.0, std::numbers::pi * k);
             const auto i = static_cast<std::size_t>(2 * (k + 6));
-            // Cubic through a Blackman lobe: up to 1.5 % of its top between bins; the parabola
-            // misplaces the peak by up to 0.03 bins, where the lobe falls by 0.4 per bin; and the
-            // second tone moves the peak of the amplitudes.
-            CHECK(std::abs(static_cast<double>(out[i]) - expected.real()) < 0.03);
-            CHECK(std::abs(static_cast<double>(out[i + 1]) - expected.imag()) < 0.03);
+            // Worked out in double apart from the code: the cubic through a Blackman lobe and the
+            // parabola, which misplaces these peaks by up to 0.04 bins, miss by up to 0.074.
+            CHECK(std::abs(static_cast<double>(out[i]) - expected.real()) < 0.09);
+            CHECK(std::abs(static_cast<double>(out[i + 1]) - expected.imag()) < 0.09);
         }
         fw_window_shape window{};
         REQUIRE(fw_window_find(FW_WINDOW_BLACKMAN, n_samples, &window) == FW_OK);
         const double level =
             std::log(std::abs(top) * 2.0 / static_cast<double>(window.sum) * peak / 11.5);
-        CHECK(static_cast<double>(out.back()) == Approx(level).margin(0.03));  // nepers
+        CHECK(static_cast<double>(out.back()) ==
+              Approx(level).margin(0.06));  // nepers; 0.047 likewise
     }
 }
 
@@ -99,10 +99,10 @@ TEST_CASE("gain and phase of the echo change no shape, gain the level alone", "[
     const auto turned = described(samples_of({{11.2, 400.0, 1.1}, {13.0, 60.0, 1.1}}));
     const auto louder = described(samples_of({{11.2, 1600.0, 0.0}, {13.0, 240.0, 0.0}}));
     for (std::size_t i = 0; i + 1 < reference.size(); ++i) {
-        // Rounding to codes: half an LSB of 400 in each of 128 samples, and the image of the
-        // negative frequencies, -60 dB through this window.
-        CHECK(static_cast<double>(turned[i]) == Approx(reference[i]).margin(4e-3));
-        CHECK(static_cast<double>(louder[i]) == Approx(reference[i]).margin(4e-3));
+        // Rounding to codes and the image of the negative frequencies: 0.0003, worked out apart
+        // from the code.
+        CHECK(static_cast<double>(turned[i]) == Approx(reference[i]).margin(1e-3));
+        CHECK(static_cast<double>(louder[i]) == Approx(reference[i]).margin(1e-3));
     }
     CHECK(static_cast<double>(louder.back() - reference.back()) ==
           Approx(std::log(4.0)).margin(2e-3));

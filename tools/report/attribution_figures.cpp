@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "sim/core/format.hpp"
 #include "tools/report/curve_figure.hpp"
 #include "tools/report/forest_figure.hpp"
@@ -111,7 +113,7 @@ std::string short_title(const std::string& condition) {
         {tilt_sensor_condition, "Sensor tilted"},
         {tilt_sample_condition, "Sample tilted"},
         {similar_condition, "Other samples"},
-        {"joint", "Height and tilt"}};
+        {joint_condition, "Height and tilt"}};
     for (const auto& [name, title] : titles)
         if (name == condition) return title;
     return condition;
@@ -125,7 +127,12 @@ std::vector<StudyFigure> attribution_figures(const StudySummary& study) {
     std::vector<StudyFigure> figures;
     if (study.results.waterfall.size() > 1) figures.push_back(waterfall_figure(study));
     if (!study.results.sensitivity.empty()) figures.push_back(sensitivity_figure(study));
-    if (!study.results.prior.draws.empty()) figures.push_back(prior_figure(study));
+    const auto& shifted = study.results.prior.domains;
+    const bool has_panel = std::ranges::any_of(shifted, [](const std::string& domain) {
+        return domain == tilt_sensor_condition || domain == tilt_sample_condition ||
+               domain == height_condition;
+    });
+    if (!study.results.prior.draws.empty() && has_panel) figures.push_back(prior_figure(study));
     return figures;
 }
 

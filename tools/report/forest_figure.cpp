@@ -10,8 +10,14 @@
 namespace specula {
 namespace {
 
-constexpr double forest_px = 912.0, label_gap_px = 12.0, lane_px = 13.0, row_gap_px = 12.0;
+constexpr double forest_px = 912.0, label_gap_px = 12.0;
+constexpr std::size_t many_rows = 16;
 constexpr std::string_view band_colour = "#d9dde3";
+
+/// Many rows stand closer.
+double lane_px(const ForestContent& content) {
+    return content.rows.size() > many_rows ? 8.0 : 13.0;
+}
 
 struct ForestLayout {
     Canvas canvas;
@@ -26,7 +32,7 @@ ForestLayout forest_layout(const ForestContent& content) {
     const double left = std::min(label_px + label_gap_px + 14.0, 0.62 * forest_px);
     const bool has_legend = content.series.size() > 1 || !content.band_label.empty();
     const double top = has_legend ? 78.0 : 54.0;
-    const double pitch_px = lane_px * static_cast<double>(content.series.size()) + row_gap_px;
+    const double pitch_px = lane_px(content) * (static_cast<double>(content.series.size()) + 1.0);
     const double bottom = top + pitch_px * static_cast<double>(content.rows.size());
     return {.canvas = {.width_px = forest_px, .height_px = bottom + 52.0},
             .area = {.left = left, .top = top, .right = forest_px - 18.0, .bottom = bottom},
@@ -35,7 +41,7 @@ ForestLayout forest_layout(const ForestContent& content) {
 
 double lane_offset(std::size_t series, const ForestContent& content, double pitch_px) {
     const auto n = static_cast<double>(content.series.size());
-    return (static_cast<double>(series) - 0.5 * (n - 1.0)) * lane_px / pitch_px;
+    return (static_cast<double>(series) - 0.5 * (n - 1.0)) * lane_px(content) / pitch_px;
 }
 
 std::string forest_labels(const ForestContent& content, const ForestLayout& layout) {

@@ -13,7 +13,7 @@
 namespace specula {
 namespace {
 
-constexpr double heat_px = 912.0, heat_row_px = 24.0, panel_gap_px = 18.0, column_label_px = 11.0;
+constexpr double heat_px = 912.0, heat_row_px = 24.0, panel_gap_px = 18.0, column_label_px = 10.0;
 
 struct HeatLayout {
     Canvas canvas;
@@ -36,7 +36,7 @@ HeatLayout heat_layout(const HeatContent& content) {
     const double column_px = width / static_cast<double>(content.columns.size());
     std::size_t lines = 1;
     for (const std::string& column : content.columns)
-        lines = std::max(lines, wrapped(column, column_px).size());
+        lines = std::max(lines, wrapped(column, column_px + 4.0).size());
     const double top = 74.0 + 14.0 * static_cast<double>(lines);
     const double rows = static_cast<double>(content.rows.size());
     return {.canvas = {.width_px = heat_px, .height_px = top + heat_row_px * rows + 36.0},
@@ -51,7 +51,7 @@ std::string heat_column_labels(const HeatContent& content, const HeatLayout& lay
     std::string text;
     const double column_px = layout.panel_width_px / static_cast<double>(content.columns.size());
     for (std::size_t i = 0; i < content.columns.size(); ++i) {
-        const auto lines = wrapped(content.columns[i], column_px);
+        const auto lines = wrapped(content.columns[i], column_px + 4.0);
         for (std::size_t line = 0; line < lines.size(); ++line)
             text += layout.canvas.label(
                 {.text = lines[line],

@@ -45,9 +45,10 @@ void say_leak(const StudySummary& study, std::vector<Paragraph>& words) {
         percent_text(leak->value.mean));
     if (const HonestyCheck* placebo = check_named(study, "placebo"))
         text += format(
-            " With two plates of one metal in place of iron and aluminium, new sessions give {}: "
-            "what tells the two apart is the plate, not the metal.",
-            percent_text(placebo->value.mean));
+            " With two plates of one metal in place of {}, new sessions give {}: what tells the "
+            "two "
+            "apart, as far as anything does, is the plate, not the metal.",
+            merged_names(study), percent_text(placebo->value.mean));
     words.push_back({.lead = "The number on the bench.", .text = text});
 }
 
@@ -95,7 +96,7 @@ void say_detectors(const StudySummary& study, std::vector<Paragraph>& words) {
             return s.detector == detector && s.domain == domain;
         });
     };
-    const auto probability = find("softmax_probability", height_condition);
+    const auto probability = find("msp", height_condition);
     const auto distance = find("mahalanobis", height_condition);
     const auto end = study.results.detectors.end();
     if (probability == end || distance == end) return;
@@ -143,10 +144,13 @@ Paragraph calibration_words(const CalibrationOutcome& outcome) {
     if (outcome.reached)
         return {.lead = "Calibration.",
                 .text = what + format("It is met at {:+.1f}\u00a0dB.", outcome.snr_db) + frozen};
+    const double one_frame = outcome.trials.front().macro_f1;
     std::string text = what + format(
-                                  "No admissible value meets it: one frame already scores {}, so "
-                                  "the radar file\u2019s own ratio stays.",
-                                  percent_text(outcome.trials.front().macro_f1));
+                                  "No admissible value meets it: one frame {} scores {}, so the "
+                                  "radar file\u2019s own ratio "
+                                  "stays.",
+                                  one_frame > outcome.target_macro_f1 ? "already" : "only",
+                                  percent_text(one_frame));
     if (outcome.matching)
         text += format(" It would take {:+.1f}\u00a0dB.", outcome.matching->snr_db);
     return {.lead = "Calibration.", .text = text + frozen};

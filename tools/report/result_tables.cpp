@@ -98,7 +98,8 @@ std::vector<ReportTable> remedy_tables(const StudySummary& study) {
                     {"Worst condition (%)", "merged"}},
         .rows = {},
         .note =
-            "Same worlds, frames, rows and steps for all; no selection, the network of the "
+            "Same worlds, frames, rows and steps for all, but where a title says more; no "
+            "selection, the network of the "
             "last epoch counts. The time of several looks is that of one, at an eighth of the "
             "rate of answers."};
     for (const LadderRung& rung : ladder) {

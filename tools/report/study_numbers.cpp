@@ -106,6 +106,7 @@ std::string where(const StudyCondition& condition) {
     if (name == tilt_sensor_condition) return "with the sensor tilted";
     if (name == tilt_sample_condition) return "with the sample tilted";
     if (name == similar_condition) return "on similar but unknown samples";
+    if (name == joint_condition) return "at other heights with the sensor tilted";
     return "under \u201c" + condition.result.title + "\u201d";
 }
 

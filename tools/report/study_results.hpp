@@ -113,6 +113,7 @@ struct RungCost {
 struct LadderRung {
     std::string name{}, title{};
     std::string training{}, descriptor{};
+    double budget = 1.0;  ///< rows and steps over the baseline's
     RungCost cost{};
     std::vector<DomainScore> domains{};
     std::vector<Interval> gain{};         ///< (domain), over the baseline, paired by worlds

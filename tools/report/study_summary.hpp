@@ -20,6 +20,7 @@ inline constexpr std::string_view height_condition = "height";
 inline constexpr std::string_view tilt_sensor_condition = "tilt_sensor";
 inline constexpr std::string_view tilt_sample_condition = "tilt_sample";
 inline constexpr std::string_view similar_condition = "similar";
+inline constexpr std::string_view joint_condition = "joint";
 
 struct StudyCondition {
     ConditionReport result;                ///< worlds in the same order in every condition

@@ -42,7 +42,7 @@ constexpr const char* first_steps =
 void add_study(CLI::App& program, StudyArguments& arguments) {
     CLI::App* command = add_command(
         program, "study",
-        "Run an experiment: record, train, judge, report (two minutes for the paper's)",
+        "Run an experiment: record, train, judge, report (some minutes for the paper's)",
         "specula study paper --out /tmp/paper --threads 2\n"
         "  Writes report.html, results.json, figures/, datasets/*.h5, models/ and firmware/.");
     command
@@ -57,7 +57,7 @@ void add_study(CLI::App& program, StudyArguments& arguments) {
         ->check(seed_problem);
     add_threads(command, arguments.threads);
     CLI::Option* quick =
-        command->add_flag("--quick", arguments.quick, "the experiment's small version, about 20 s");
+        command->add_flag("--quick", arguments.quick, "the experiment's small version, about 15 s");
     command
         ->add_flag("--full", arguments.full,
                    "its large version: more worlds, trainings and assumptions, up to half an hour")

@@ -53,7 +53,8 @@ Distribution widened(const Distribution& law, double factor) {
         }
         Distribution operator()(Distribution::Choice l) const {
             double middle = 0.0;
-            for (const double value : l.values) middle += value / static_cast<double>(l.values.size());
+            for (const double value : l.values)
+                middle += value / static_cast<double>(l.values.size());
             for (double& value : l.values) value = middle + factor * (value - middle);
             return Distribution(std::move(l));
         }

@@ -156,7 +156,8 @@ Interval score_own(const StudyContext& context, const OwnRecording& own) {
 /// All of one material and one law; only the names of the classes differ.
 Experiment all_of_one(const Experiment& experiment) {
     Experiment other = experiment;
-    const SampleLaw law = experiment.population.classes.back();
+    const auto& merged = experiment.merged_classes;
+    const SampleLaw law = experiment.population.classes[merged.empty() ? 0 : merged.back()];
     for (SampleLaw& own : other.population.classes) {
         const std::string name = own.name;
         own = law;

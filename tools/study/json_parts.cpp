@@ -87,6 +87,7 @@ void add_ladder(const StudyResults& results, Json& json) {
                                   {"title", rung.title},
                                   {"training", rung.training},
                                   {"descriptor", rung.descriptor},
+                                  {"rows_and_steps_over_baseline", rung.budget},
                                   {"features", rung.cost.n_features},
                                   {"multiplications", rung.cost.multiplications},
                                   {"model_bytes", rung.cost.model_bytes},

@@ -59,22 +59,52 @@ void recommend(std::vector<LadderRung>& rungs) {
 
 Ladder::Ladder(const StudyContext& context, const LadderInput& input)
     : context_(context), input_(input) {
-    const Experiment& experiment = context.experiment;
+    record_sets();
+    record_motion();
+}
+
+void Ladder::record_sets() {
+    const Experiment& experiment = context_.experiment;
     std::size_t n_sessions = 0;
     for (const TrainingSet& set : experiment.protocol.training_sets)
-        n_sessions += session_count(set.condition, experiment.population, context.run.worlds);
+        n_sessions += session_count(set.condition, experiment.population, context_.run.worlds);
     Progress progress("Recording for remedies", "sessions", n_sessions);
     for (const TrainingSet& set : experiment.protocol.training_sets) {
         const Experiment own = with_laws_of(set, experiment);
-        sets_[set.condition.name] =
-            observe(context.frozen, {own, context.materials}, context.run, set.condition, progress);
+        sets_[set.condition.name] = observe(context_.frozen, {own, context_.materials},
+                                            context_.run, set.condition, progress);
     }
+}
+
+/// The same sessions again, but for what moves while frames are taken.
+void Ladder::record_motion() {
+    const auto& rungs = context_.experiment.protocol.rungs;
+    if (std::ranges::none_of(rungs, [](const RungPlan& rung) { return rung.motion; })) return;
+    Experiment moving = context_.experiment;
+    moving.population.frame = *moving.protocol.motion;
+    RunSettings run = context_.run;
+    run.kinds.clear();
+    for (const RungPlan& rung : rungs)
+        if (rung.motion) run.kinds.push_back(rung.kind());
+    std::vector<Condition> conditions{moving.training};
+    for (const Recording* recording : input_.conditions) conditions.push_back(recording->condition);
+    std::size_t n_sessions = 0;
+    for (const Condition& condition : conditions)
+        n_sessions += session_count(condition, moving.population, run.worlds);
+    Progress progress("Recording in motion", "sessions", n_sessions);
+    for (const Condition& condition : conditions)
+        motion_[condition.name] =
+            observe(context_.frozen, {moving, context_.materials}, run, condition, progress);
+}
+
+const FeatureTable& Ladder::table_of(const RungPlan& rung, const Recording& recording) const {
+    return rung.motion ? motion_.at(recording.condition.name).described.at(rung.kind())
+                       : recording.described.at(rung.kind());
 }
 
 RungRows Ladder::rows_of(const RungPlan& rung) const {
     const int worlds = context_.run.worlds;
-    const RandomSplits splits =
-        random_splits(input_.training.described.at(rung.kind()), context_, worlds);
+    const RandomSplits splits = random_splits(table_of(rung, input_.training), context_, worlds);
     RungRows rows{.training = splits.training,
                   .domains = {std::string(nominal_condition)},
                   .judged = {splits.validation}};
@@ -82,11 +112,13 @@ RungRows Ladder::rows_of(const RungPlan& rung) const {
     if (set != sets_.end()) {
         const WorldRows own = rows_by_world(set->second.described.at(rung.kind()), worlds);
         for (std::size_t world = 0; world < own.size(); ++world)
-            rows.training[world] = thinned(own[world], splits.training[world].size());
+            rows.training[world] = thinned(
+                own[world], static_cast<std::size_t>(
+                                rung.budget * static_cast<double>(splits.training[world].size())));
     }
     for (const Recording* recording : input_.conditions) {
         rows.domains.push_back(recording->condition.name);
-        rows.judged.push_back(rows_by_world(recording->described.at(rung.kind()), worlds));
+        rows.judged.push_back(rows_by_world(table_of(rung, *recording), worlds));
     }
     return rows;
 }
@@ -125,6 +157,7 @@ std::vector<LadderRung> Ladder::run() const {
                              .title = plan.title,
                              .training = plan.training,
                              .descriptor = plan.kind(),
+                             .budget = plan.budget,
                              .cost = cost_of(plan, models.front(),
                                              static_cast<int>(context_.experiment.radar.rx.size()) *
                                                  context_.experiment.radar.chirps_per_frame)});

@@ -31,12 +31,16 @@ class Ladder {
     std::vector<Model> models_of(const RungPlan& rung) const;
 
   private:
+    void record_sets();
+    void record_motion();
+    const FeatureTable& table_of(const RungPlan& rung, const Recording& recording) const;
     RungRows rows_of(const RungPlan& rung) const;
     TrialTraining training_of(const RungPlan& rung, int repeat) const;
 
     const StudyContext& context_;
     const LadderInput& input_;
-    std::map<std::string, PassingRecording> sets_;  ///< by name
+    std::map<std::string, PassingRecording> sets_;    ///< by name
+    std::map<std::string, PassingRecording> motion_;  ///< by condition, where a rung asks for it
 };
 
 /// What a trained rung costs on the chip beyond the range profile.

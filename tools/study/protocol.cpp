@@ -68,6 +68,11 @@ RungPlan read_rung(Section section, const Experiment& experiment, const Protocol
         section.fail("descriptor", "cannot be read", error.what());
     }
     rung.known_gain = section.flag("known_gain", false);
+    rung.motion = section.flag("motion", false);
+    if (rung.motion && (!protocol.motion || rung.training != sets.front()))
+        section.fail("motion", "needs a [motion] and the training recordings",
+                     "describe the motion, and name no training set");
+    rung.budget = section.number("budget", Range::between(1.0, 100.0), rung.budget);
     read_remedy_options(section, rung.options);
     section.finish();
     return rung;
@@ -144,11 +149,13 @@ Protocol read_protocol(Section& root, const Experiment& experiment) {
         protocol.calibration = read_calibration(*section);
     int number = static_cast<int>(experiment.conditions.size());
     for (Section& section : root.sections("training_set")) {
-        if (++number >= Condition::most_conditions)
+        if (++number >=
+            Condition::most_conditions - 1)  // the last is kept for recordings in passing
             root.fail("training_set", "too many conditions and training sets",
-                      format("describe at most {} in all", Condition::most_conditions - 1));
+                      format("describe at most {} in all", Condition::most_conditions - 2));
         protocol.training_sets.push_back(read_training_set(section, experiment, number));
     }
+    if (auto section = root.find_section("motion")) protocol.motion = read_frame(*section);
     for (Section& section : root.sections("rung"))
         protocol.rungs.push_back(read_rung(section, experiment, protocol));
     protocol.variant_conditions = read_names(root, "variant_conditions", experiment);

@@ -7,6 +7,7 @@
 
 #include "classifier/train.hpp"
 #include "sim/condition.hpp"
+#include "sim/population.hpp"
 #include "tools/study/assumption.hpp"
 
 namespace specula {
@@ -43,11 +44,16 @@ struct RungPlan {
     std::string name, title;
     std::string training;     ///< "training", or the name of a training set
     std::string descriptor;   ///< as parse_descriptor takes it
+    bool motion = false;      ///< learnt and judged on frames recorded in motion
     bool known_gain = false;  ///< features over the true gain: an ideal reference reflector
+    double budget = 1.0;      ///< rows and steps over the baseline's
     TrainOptions options;     ///< the experiment's, with what the rung changes
 
     /// Names the features: rungs of one kind share them.
-    std::string kind() const { return descriptor + (known_gain ? " over the true gain" : ""); }
+    std::string kind() const {
+        return descriptor + (known_gain ? " over the true gain" : "") +
+               (motion ? " in motion" : "");
+    }
 };
 
 /// Severities of geometry and receiver, against the nominal recording.
@@ -63,7 +69,8 @@ struct SeverityPlan {
 struct Protocol {
     std::optional<CalibrationPlan> calibration;
     std::vector<TrainingSet> training_sets;
-    std::vector<RungPlan> rungs;  ///< the baseline first
+    std::optional<FrameLaw> motion;  ///< of frames while the sample or the mounting moves
+    std::vector<RungPlan> rungs;     ///< the baseline first
     std::vector<Assumption> variants;
     std::vector<std::string> variant_conditions;  ///< that every variant is judged on
     std::optional<SeverityPlan> severity;
@@ -73,8 +80,8 @@ struct Protocol {
 /// The numbers of a preset; what a section leaves out is as in `usual`.
 Extent read_extent(Section& section, const Extent& usual);
 
-/// Reads [calibration], [[training_set]], [[rung]], [[variant]], [severity] and [honesty], all
-/// optional.
+/// Reads [calibration], [[training_set]], [motion], [[rung]], [[variant]], [severity] and
+/// [honesty], all optional.
 Protocol read_protocol(Section& root, const Experiment& experiment);
 
 }  // namespace specula

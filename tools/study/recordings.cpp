@@ -1,5 +1,6 @@
 #include "tools/study/recordings.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "classifier/descriptor.hpp"
@@ -26,9 +27,14 @@ std::map<std::string, FeatureTable> describe_rungs(const Dataset& dataset,
                                                    const Experiment& experiment,
                                                    const RunSettings& run) {
     std::map<std::string, FeatureTable> described;
-    if (!run.describe_rungs) return described;
+    const auto& sets = experiment.protocol.training_sets;
+    const bool is_set = std::ranges::any_of(sets, [&](const TrainingSet& set) {
+        return set.condition.name == dataset.origin.condition;
+    });
     for (const RungPlan& rung : experiment.protocol.rungs) {
+        if (std::ranges::find(run.kinds, rung.kind()) == run.kinds.end()) continue;
         if (described.count(rung.kind()) != 0) continue;
+        if (is_set && rung.training != dataset.origin.condition) continue;
         FeatureTable table = describe(dataset, parse_descriptor(rung.descriptor), run.threads);
         if (rung.known_gain) divide_by_gain(dataset, table);
         described.emplace(rung.kind(), std::move(table));

@@ -21,7 +21,7 @@ struct RunSettings {
     int worlds = 1;
     int threads = 1;
     std::filesystem::path folder;
-    bool describe_rungs = false;  ///< whether recordings also get the descriptors of the rungs
+    std::vector<std::string> kinds{};  ///< RungPlan::kind of what recordings are described as too
     /// Told of every condition before the first of its sessions is simulated; may be empty.
     std::function<void(const Condition&)> before_recording{};
 };

@@ -77,7 +77,9 @@ void add_means(SeverityGrid& grid) {
 SeverityGrid severity_grid(const StudyContext& context, const std::vector<GridEntrant>& entrants) {
     SPECULA_EXPECT(!entrants.empty());
     const SeverityPlan& plan = *context.experiment.protocol.severity;
-    const RunSettings run = context.run_with(static_cast<int>(entrants.front().models.size()));
+    RunSettings run = context.run_with(static_cast<int>(entrants.front().models.size()));
+    for (const GridEntrant& entrant : entrants)
+        if (!entrant.kind.empty()) run.kinds.push_back(entrant.kind);
     SeverityGrid grid;
     for (const GridEntrant& entrant : entrants) grid.classifiers.push_back(entrant.name);
     grid.height_offsets_m = plan.height_offsets_m;

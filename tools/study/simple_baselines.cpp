@@ -1,7 +1,7 @@
 #include "classifier/metrics.hpp"
 #include "classifier/nearest_neighbours.hpp"
 #include "sim/parallel.hpp"
-#include "tools/report/study_summary.hpp"
+#include "tools/report/result_figures.hpp"
 #include "tools/study/honesty.hpp"
 
 /// Classifiers that nobody would suspect of anything: what the network must be held against.
@@ -40,12 +40,12 @@ std::vector<HonestyCheck> simple_baselines(const StudyContext& context, const Ch
         const WorldScores linear =
             scores_of(judge_each(models, rows, context.run.threads), context.merged);
         checks.push_back({.name = "logistic_" + name,
-                          .title = "Logistic regression, " + name,
+                          .title = "Logistic regression, " + short_title(name),
                           .value = bootstrap_mean(linear.all, context.bootstrap()),
                           .reason = "a straight boundary between classes"});
         checks.push_back(
             {.name = "neighbours_" + name,
-             .title = "Five nearest neighbours, " + name,
+             .title = "Five nearest neighbours, " + short_title(name),
              .value = bootstrap_mean(neighbour_scores(splits.training, rows, context.run.threads),
                                      context.bootstrap()),
              .reason = "no training at all"});

@@ -61,10 +61,11 @@ const Extent& extent_of(const StudyRequest& request, const Experiment& experimen
 }
 
 /// Nominal recordings alone decide; the file appears before any other geometry is simulated.
-FrozenCalibration calibrated(const Source& source, const RunSettings& run, const Extent& extent) {
+FrozenCalibration calibrated(const std::optional<NominalSource>& nominal,
+                             const Experiment& experiment, const RunSettings& run,
+                             const Extent& extent) {
     CalibrationOutcome outcome;
-    if (const auto& plan = source.experiment.protocol.calibration)
-        outcome = calibrate(*plan, NominalSource(source.experiment, source.materials, run), extent);
+    if (nominal) outcome = calibrate(*experiment.protocol.calibration, *nominal, extent);
     return freeze_calibration(outcome, run.folder / "calibration.json");
 }
 
@@ -80,6 +81,14 @@ std::vector<Recording> record_all(const FrozenCalibration& frozen, const Source&
     for (const Condition& condition : experiment.conditions)
         recordings.push_back(record_shifted(frozen, source, run, condition, progress));
     return recordings;
+}
+
+/// What recordings are described as for the ladder; rungs in motion have recordings of their own.
+std::vector<std::string> still_kinds(const Experiment& experiment, const Extent& extent) {
+    std::vector<std::string> kinds;
+    for (const RungPlan& rung : experiment.protocol.rungs)
+        if (extent.ladder && !rung.motion) kinds.push_back(rung.kind());
+    return kinds;
 }
 
 void describe_study(const StudyRequest& request, const StudyContext& context,
@@ -108,11 +117,13 @@ StudySummary run_study(const StudyRequest& request, const Catalogue& catalogue) 
                           .worlds = extent.worlds,
                           .threads = request.threads,
                           .folder = request.out,
-                          .describe_rungs = extent.ladder && !experiment.protocol.rungs.empty(),
+                          .kinds = still_kinds(experiment, extent),
                           .before_recording = request.before_recording};
+    std::optional<NominalSource> nominal;  // refuses what is no nominal geometry
+    if (experiment.protocol.calibration) nominal.emplace(experiment, catalogue.materials, run);
     make_folders(request.out);
     StageClock clock;
-    const FrozenCalibration frozen = calibrated({experiment, catalogue.materials}, run, extent);
+    const FrozenCalibration frozen = calibrated(nominal, experiment, run, extent);
     clock.ended("calibration");
     Assumption ratio;
     ratio.snr_db = frozen.outcome().snr_db;
@@ -142,7 +153,7 @@ StudySummary run_study(const StudyRequest& request, const Catalogue& catalogue) 
     extend_study({context, recordings, baseline}, clock, summary);
 
     write_file_atomically(request.out / "results.json", results_json(summary));
-    write_study_report(request.out, summary);
+    if (request.report) write_study_report(request.out, summary);
     clock.ended("report");
     write_file_atomically(request.out / "stages.csv", clock.csv());
     return summary;

@@ -18,6 +18,7 @@ struct StudyRequest {
     int threads = 1;
     bool quick = false;   ///< the experiment's small extent
     bool full = false;    ///< its large one
+    bool report = true;   ///< else no figures and no page: results alone
     std::string command;  ///< that repeats the study, for its report
     /// See RunSettings; for tests of the order of events.
     std::function<void(const Condition&)> before_recording{};

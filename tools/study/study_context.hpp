@@ -25,9 +25,11 @@ struct StudyContext {
         how.options.epochs = extent.epochs;
         return how;
     }
+    /// For recordings in passing, which few parts want described for the rungs.
     RunSettings run_with(int worlds) const {
         RunSettings other = run;
         other.worlds = worlds;
+        other.kinds.clear();
         return other;
     }
     StreamKey bootstrap() const { return {.seed = run.seed, .purpose = "bootstrap"}; }

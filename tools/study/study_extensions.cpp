@@ -72,7 +72,8 @@ void add_severity(const StudyState& state, const Ladder* ladder, StudyResults& r
     };
     std::vector<GridEntrant> entrants{{"As in the paper", "", first(state.baseline.models)}};
     for (std::size_t i = 0; i < results.ladder.size(); ++i)
-        if (ladder != nullptr && results.ladder[i].recommended && i > 0) {
+        if (ladder != nullptr && results.ladder[i].recommended && i > 0 &&
+            !context.experiment.protocol.rungs[i].motion) {  // the grid stands still
             const RungPlan& plan = context.experiment.protocol.rungs[i];
             entrants.push_back({plan.title, plan.kind(), first(ladder->models_of(plan))});
         }
@@ -95,7 +96,7 @@ void extend_study(const StudyState& state, StageClock& clock, StudySummary& summ
     std::optional<Ladder> ladder;
     const auto conditions = conditions_of(state);
     const LadderInput input{state.recordings.front(), conditions};
-    if (context.run.describe_rungs) {
+    if (context.extent.ladder && !protocol.rungs.empty()) {
         ladder.emplace(context, input);
         clock.ended("recording for remedies");
         results.ladder = ladder->run();

@@ -39,6 +39,7 @@ TEST_CASE("no shifted geometry is simulated before the calibration lies on disk"
     StudyRequest request;
     request.experiment_file = folder.with("toy.toml", toy_protocol());
     request.out = folder / "out";
+    request.report = false;
     std::vector<std::string> order;
     bool frozen_first = true;
     request.before_recording = [&](const Condition& condition) {
@@ -49,10 +50,10 @@ TEST_CASE("no shifted geometry is simulated before the calibration lies on disk"
     CHECK(frozen_first);
     REQUIRE(order.size() > 3);
     CHECK(order.front() == "training");
-    // What was frozen is what the report names.
+    // What was frozen is what the results name.
     const std::string text = content_of(folder / "out/calibration.json");
     CHECK(study.results.calibration.hash.size() == 16);
-    CHECK(content_of(folder / "out/report.html").find(study.results.calibration.hash) !=
+    CHECK(content_of(folder / "out/results.json").find(study.results.calibration.hash) !=
           std::string::npos);
     CHECK(nlohmann::json::parse(text)["snr_db"] == study.results.calibration.snr_db);
 }
