@@ -185,7 +185,7 @@ async function testSizes(browser, address) {
 }
 
 const { server, address } = await startServer();
-const browser = await chromium.launch({ executablePath: '/usr/bin/chromium', args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'] });
+const browser = await chromium.launch({ executablePath: '/usr/bin/chromium', args: ['--no-sandbox', '--enable-unsafe-swiftshader', '--disable-gpu-rasterization'] });
 try {
   const page = await openPage(browser, address);
   await shoot(page, 'start');

@@ -90,6 +90,24 @@ def check_answers(server):
     expect("the same request gives the same bytes", body == again)
 
 
+def check_pace(server, n=200):
+    """How long the engine takes for a frame, request and answer included, as tilt is dragged."""
+    times = []
+    with server.connect() as connection:
+        for i in range(n):
+            body = json.dumps({"material": "wood", "tilted": "sample", "tilt_deg": 20 * i / n - 10}).encode()
+            start = time.monotonic()
+            connection.sendall(server.request(b"POST", b"/api/chirp", body, {b"Connection": b"keep-alive"}))
+            head, _, rest = connection.recv(65536).partition(b"\r\n\r\n")
+            left = int(re.search(rb"Content-Length: (\d+)", head).group(1)) - len(rest)
+            while left > 0:
+                left -= len(connection.recv(65536))
+            times.append(1e3 * (time.monotonic() - start))
+    times.sort()
+    expect(f"a chirp over one connection takes {times[n // 2]:.1f} ms (median), {times[n * 95 // 100]:.1f} ms "
+           "(95th percentile)", times[n // 2] < 50.0, times[n // 2])
+
+
 def check_guard(server):
     for host in (b"evil.example", b"evil.example:%d" % server.port, b"127.0.0.1.evil.example:%d" % server.port,
                  b"127.0.0.1", b"127.0.0.1:1", b"[::1", b"localhost:%d.evil" % server.port, b""):
@@ -256,7 +274,7 @@ def main():
     program, cache = sys.argv[1:]
     server = Server(program, cache)
     try:
-        for check in (check_answers, check_guard, check_paths, check_sizes, check_fields, check_malformed,
+        for check in (check_answers, check_pace, check_guard, check_paths, check_sizes, check_fields, check_malformed,
                       check_crowd, check_slow):
             print(check.__name__)
             check(server)
