@@ -37,6 +37,7 @@ async function figureSvg(charts, subtitle) {
     const place = shape('g', { transform: `translate(${(i % COLUMNS) * cell + 12} ${HEAD + Math.floor(i / COLUMNS) * tall})` });
     place.append(shape('text', { x: 40, y: 16, 'font-size': 15, 'font-weight': 700 }, plot.words.title),
       shape('text', { x: cell - 36, y: 16, 'font-size': 13, fill: '#4d4d4d', 'text-anchor': 'end' }, plot.reading.textContent));
+    plot.drawNow();
     const drawn = plot.svg.cloneNode(true);
     for (const [key, value] of Object.entries({ y: 24, width: cell - 24, height: tall - 66, preserveAspectRatio: 'xMidYMid meet' })) drawn.setAttribute(key, value);
     place.append(drawn, ...legend(plot, tall - 24));
