@@ -21,7 +21,7 @@ struct LevelCurve {
 struct CurveRequest {
     CurveAxis axis = CurveAxis::tilt;
     Tilting tilting;
-    double most_s = 2.0;  ///< then the curve is as fine as it got; every eighth point always comes
+    double most_s = 5.0;  ///< then the curve is as fine as it got; every eighth point always comes
     const std::atomic<bool>& stop;
 };
 
