@@ -108,7 +108,7 @@ std::optional<HttpResponse> Application::at_once(const HttpRequest& request) con
     if (request.method == "POST")
         return error_response(404, "there is nothing here", "see GET / for the page");
     if (request.path == "/api/page") return HttpResponse{.body = page_};
-    const std::string_view path = request.path == "/" ? "/index.html" : request.path;
+    const std::string path = request.path == "/" ? "/index.html" : request.path;
     for (const PageFile& file : page_files())
         if (file.path == path)
             return HttpResponse{.type = std::string(file.type), .body = std::string(file.content)};
@@ -144,8 +144,8 @@ HttpResponse Application::curve(const SceneRequest& request, const std::string& 
                               .stop = stop_};
     const LevelCurve found = level_curve(scene, wanted, catalogue_.materials);
     if (found.x.empty())
-        return error_response(503, "the curve took too long",
-                              "make the sample smaller or smoother");
+        return error_response(422, "the server ends, or the radar sees nothing there",
+                              "choose another radar or a smaller sample");
     return json_response({{"x", found.x},
                           {"level_db", found.level_db},
                           {"foot_margin", found.foot_margin},

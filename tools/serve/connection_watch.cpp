@@ -4,8 +4,13 @@
 
 namespace specula {
 
-ConnectionWatch::ConnectionWatch(std::chrono::milliseconds most_time)
-    : most_time_(most_time), watcher_([this] { watch(); }) {}
+namespace {
+
+constexpr std::chrono::seconds between_looks{1};
+
+}  // namespace
+
+ConnectionWatch::ConnectionWatch() : watcher_([this] { watch(); }) {}
 
 ConnectionWatch::~ConnectionWatch() {
     {
@@ -16,37 +21,25 @@ ConnectionWatch::~ConnectionWatch() {
     watcher_.join();
 }
 
-void ConnectionWatch::restart(int socket) {
+void ConnectionWatch::limit(int socket, std::chrono::seconds time) {
     const std::lock_guard<std::mutex> hold(lock_);
-    waiting_since_[socket] = Clock::now();
+    end_[socket] = Clock::now() + time;
 }
 
-void ConnectionWatch::opened(int socket) {
-    restart(socket);
-}
-
-void ConnectionWatch::answered(int socket) {
-    restart(socket);
-}
-
-void ConnectionWatch::arrived(int socket) {
-    closed(socket);
-}
-
-void ConnectionWatch::closed(int socket) {
+void ConnectionWatch::forget(int socket) {
     const std::lock_guard<std::mutex> hold(lock_);
-    waiting_since_.erase(socket);
+    end_.erase(socket);
 }
 
 void ConnectionWatch::watch() {
     std::unique_lock<std::mutex> hold(lock_);
-    while (!wake_.wait_for(hold, most_time_ / 4, [this] { return ended_; })) {
+    while (!wake_.wait_for(hold, between_looks, [this] { return ended_; })) {
         const Clock::time_point now = Clock::now();
-        for (auto it = waiting_since_.begin(); it != waiting_since_.end();) {
-            const bool late = now - it->second > most_time_;
+        for (auto it = end_.begin(); it != end_.end();) {
+            const bool late = now > it->second;
             // The library then finds the connection at its end, and closes it.
             if (late) ::shutdown(it->first, SHUT_RDWR);
-            it = late ? waiting_since_.erase(it) : std::next(it);
+            it = late ? end_.erase(it) : std::next(it);
         }
     }
 }

@@ -19,7 +19,8 @@ namespace {
 constexpr unsigned most_connections = 256;
 constexpr std::size_t most_header_bytes = 32 * 1024;
 constexpr unsigned idle_s = 5;
-constexpr std::chrono::milliseconds whole_request{10'000};
+constexpr std::chrono::seconds to_send_request{10};
+constexpr std::chrono::seconds to_take_answer{60};  ///< a megabyte over a poor network
 constexpr std::size_t most_waiting = 8;
 
 /// One request on its way through.
@@ -95,7 +96,7 @@ bool announces_too_much(const HttpRequest& request) {
 
 struct HttpServer::Daemon {
     HttpRoutes routes;
-    ConnectionWatch watch{whole_request};
+    ConnectionWatch watch;
     std::unique_ptr<WorkQueue> work;
     MHD_Daemon* library = nullptr;
 
@@ -133,9 +134,10 @@ MHD_Result HttpServer::Daemon::take_body(Exchange& exchange, const char* data, s
 
 /// The request is whole, or its answer has been worked out since.
 MHD_Result HttpServer::Daemon::answer(MHD_Connection* connection, Exchange& exchange) {
+    watch.limit(exchange.socket, to_take_answer);
     if (exchange.response) return send(connection, *exchange.response);
-    watch.arrived(exchange.socket);
     if (const auto known = routes.at_once(exchange.request)) return send(connection, *known);
+    watch.forget(exchange.socket);
     MHD_suspend_connection(connection);
     const bool taken = work->take([this, connection, &exchange] {
         exchange.response = routes.worked_out(exchange.request);
@@ -172,14 +174,17 @@ void HttpServer::Daemon::on_end(void* self, MHD_Connection*, void** place,
                                 MHD_RequestTerminationCode) {
     const std::unique_ptr<Exchange> exchange(static_cast<Exchange*>(*place));
     *place = nullptr;
-    if (exchange) static_cast<Daemon*>(self)->watch.answered(exchange->socket);
+    if (exchange) static_cast<Daemon*>(self)->watch.limit(exchange->socket, to_send_request);
 }
 
 void HttpServer::Daemon::on_connection(void* self, MHD_Connection* connection, void**,
                                        MHD_ConnectionNotificationCode code) {
     ConnectionWatch& watch = static_cast<Daemon*>(self)->watch;
     const int socket = socket_of(connection);
-    code == MHD_CONNECTION_NOTIFY_STARTED ? watch.opened(socket) : watch.closed(socket);
+    if (code == MHD_CONNECTION_NOTIFY_STARTED)
+        watch.limit(socket, to_send_request);
+    else
+        watch.forget(socket);
 }
 
 HttpServer::HttpServer(ListenSocket& socket, HttpRoutes routes, int work_threads)

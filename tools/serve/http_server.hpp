@@ -23,7 +23,7 @@ struct HttpRoutes {
 /// An HTTP/1.1 server: one thread for all connections, a few for the work.
 ///
 /// The one place that knows libmicrohttpd. Limits: 256 connections, 32 KiB of header, a body of
-/// RequestGuard::most_body_bytes, 5 s without a byte, 10 s for a whole request, and a line of 8
+/// RequestGuard::most_body_bytes, 5 s without a byte, 10 s for a whole request, 60 s to take the answer, and a line of 8
 /// requests that wait for work; who finds it full is told 503 and when to ask again.
 class HttpServer {
   public:

@@ -1,5 +1,6 @@
 #include "tools/serve/level_curve.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -20,7 +21,7 @@ struct AxisPoints {
 };
 constexpr AxisPoints tilts_deg{-20.0, 20.0, 0.5};
 constexpr AxisPoints heights_mm{250.0, 650.0, 5.0};
-constexpr std::size_t points_between_looks = 8;  ///< at the clock
+constexpr std::size_t coarse = 8;  ///< every eighth point comes first, then those between
 
 const AxisPoints& points_of(CurveAxis axis) {
     return axis == CurveAxis::tilt ? tilts_deg : heights_mm;
@@ -63,9 +64,13 @@ std::vector<double> possible_points(const Scene& scene, const CurveRequest& requ
     return possible;
 }
 
-/// Some neighbouring points as a sweep of their own, so that time can run out between.
+struct CurvePoint {
+    double x, level_db, foot_margin;
+};
+
+/// Some points, in ascending order, as a sweep of their own, so that time can run out between.
 void add_points(const Scene& scene, const CurveRequest& request, const Library& materials,
-                std::span<const double> points, LevelCurve& curve) {
+                std::span<const double> points, std::vector<CurvePoint>& found) {
     SweepPlan plan;
     plan.scene = scene;
     plan.specimens = {{scene.sample.title(), scene.sample}};
@@ -86,11 +91,28 @@ void add_points(const Scene& scene, const CurveRequest& request, const Library& 
         const double level_db = request.axis == CurveAxis::tilt
                                     ? row.over_mirror_db
                                     : row.level_db + scene.radar.tx_power_dbm;
-        curve.x.push_back(static_cast<float>(points[i]));
-        curve.level_db.push_back(static_cast<float>(level_db));
-        curve.foot_margin.push_back(
-            static_cast<float>(mirror_foot(pose, scene.sample.face, hz).margin(scene.sample.face)));
+        found.push_back({points[i], level_db,
+                         mirror_foot(pose, scene.sample.face, hz).margin(scene.sample.face)});
     }
+}
+
+/// Every `step`-th of the points from one on.
+std::vector<double> every(const std::vector<double>& points, std::size_t from, std::size_t step) {
+    std::vector<double> some;
+    for (std::size_t i = from; i < points.size(); i += step) some.push_back(points[i]);
+    return some;
+}
+
+LevelCurve as_curve(std::vector<CurvePoint> found) {
+    std::sort(found.begin(), found.end(),
+              [](const CurvePoint& a, const CurvePoint& b) { return a.x < b.x; });
+    LevelCurve curve;
+    for (const CurvePoint& point : found) {
+        curve.x.push_back(static_cast<float>(point.x));
+        curve.level_db.push_back(static_cast<float>(point.level_db));
+        curve.foot_margin.push_back(static_cast<float>(point.foot_margin));
+    }
+    return curve;
 }
 
 }  // namespace
@@ -98,14 +120,19 @@ void add_points(const Scene& scene, const CurveRequest& request, const Library& 
 LevelCurve level_curve(const Scene& scene, const CurveRequest& request, const Library& materials) {
     const auto start = std::chrono::steady_clock::now();
     const std::vector<double> points = possible_points(scene, request);
-    LevelCurve curve;
-    for (std::size_t first = 0; first < points.size(); first += points_between_looks) {
-        const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-        if (request.stop || spent.count() > request.most_s) return {};
-        const std::size_t n = std::min(points_between_looks, points.size() - first);
-        add_points(scene, request, materials, std::span(points).subspan(first, n), curve);
-    }
-    return curve;
+    std::vector<CurvePoint> found;
+    std::vector<std::vector<double>> passes{every(points, 0, coarse)};
+    for (std::size_t step = coarse; step > 1; step /= 2)
+        passes.push_back(every(points, step / 2, step));
+    for (const std::vector<double>& pass : passes)
+        for (std::size_t first = 0; first < pass.size(); first += coarse) {
+            const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+            const bool is_late = spent.count() > request.most_s && &pass != &passes.front();
+            if (request.stop || is_late) return request.stop ? LevelCurve{} : as_curve(found);
+            const std::size_t n = std::min(coarse, pass.size() - first);
+            add_points(scene, request, materials, std::span(pass).subspan(first, n), found);
+        }
+    return as_curve(found);
 }
 
 Tilting tilting_of(const SceneRequest& request) {

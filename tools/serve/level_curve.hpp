@@ -21,11 +21,11 @@ struct LevelCurve {
 struct CurveRequest {
     CurveAxis axis = CurveAxis::tilt;
     Tilting tilting;
-    double most_s = 5.0;
+    double most_s = 5.0;  ///< then the curve is as fine as it got; every eighth point always comes
     const std::atomic<bool>& stop;
 };
 
-/// Empty where time ran out or the server stops. Places that the radar cannot see, or where the
+/// Empty where the server stops. Places that the radar cannot see, or where the
 /// sample would touch it, are left out.
 LevelCurve level_curve(const Scene& scene, const CurveRequest& request, const Library& materials);
 

@@ -49,7 +49,7 @@ inline constexpr std::array<NumberField, 12> number_fields{{
     {"size_mm", "Size", "mm", 50, 600, 5, false, &SceneRequest::size_mm},
     {"thickness_mm", "Thickness", "mm", 0.1, 50, 0.05, false, &SceneRequest::thickness_mm},
     {"roughness_um", "Roughness (rms)", "µm", 0, 1000, 1, false, &SceneRequest::roughness_um},
-    {"correlation_mm", "Correlation length", "mm", 0.1, 10, 0.1, false,
+    {"correlation_mm", "Correlation length", "mm", 0.1, 20, 0.1, false,
      &SceneRequest::correlation_mm},
     {"bow_mm", "Bow", "mm", -5, 5, 0.05, false, &SceneRequest::bow_mm},
     {"height_mm", "Height", "mm", 150, 1000, 1, false, &SceneRequest::height_mm},

@@ -22,14 +22,12 @@ std::vector<PageFile> own_files() {
 }
 
 TEST_CASE("whatever a file of the page asks for is served with it", "[serve]") {
-    const std::regex asked(
-        R"((?:from|src=|href=|import|fetch\()\s*["'](?!#|\./?["'])([^"'#]+)["'])");
+    const std::regex asked(R"((?:from |src=|href=|fetch\()["'](?:\./)?(\w[\w/]*\.\w[\w.]*)["'])");
     int n_found = 0;
     for (const PageFile& file : own_files()) {
         const std::string text(file.content);
         for (std::sregex_iterator it(text.begin(), text.end(), asked), end; it != end; ++it) {
-            std::string name = (*it)[1];
-            if (name.rfind("./", 0) == 0) name = name.substr(2);
+            const std::string name = (*it)[1];
             INFO(file.path << " asks for " << name);
             CHECK(is_served("/" + name));
             ++n_found;

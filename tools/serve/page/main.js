@@ -43,7 +43,7 @@ function described(values) {
 function showFacts(values, { foot, placement }) {
   const rows = [['Echo path', `${shown(foot.range_mm)} mm`],
     ['Mirror\u2019s foot', foot.margin < 0 ? 'off the sample' : `${shown(Math.hypot(foot.x_mm, foot.y_mm))} mm off centre`],
-    ['Needs an edge of', `${shown(foot.critical_mm)} mm`]];
+    ['Smallest plate', foot.critical_mm < 1 ? 'any' : `${shown(foot.critical_mm)} mm`]];
   if (values.session > 0) rows.push(['Mounted', `${placement.height_mm >= 0 ? '+' : '\u2212'}${Math.abs(placement.height_mm).toFixed(1)} mm, ${shown(Math.hypot(placement.tilt_x_deg, placement.tilt_y_deg), 2)}\u00b0 off`]);
   at('facts').replaceChildren(...rows.flatMap(([name, value]) => [element('dt', {}, name), element('dd', {}, value)]));
 }

@@ -48,11 +48,16 @@ export class Plot {
     this.figure.append(caption, this.svg, this.legend);
     parent.append(this.figure);
     this.width = 0;
+    this.isSeen = false;
+    new IntersectionObserver(([entry]) => {
+      this.isSeen = entry.isIntersecting;
+      if (this.isSeen && this.last) this.drawNow();
+    }, { rootMargin: '100px' }).observe(this.figure);
     new ResizeObserver(([entry]) => {
       this.width = Math.round(entry.contentRect.width);
       this.height = Math.round(entry.contentRect.height);
       this.svg.setAttribute('viewBox', `0 0 ${this.width} ${this.height}`);
-      if (this.last) this.draw(this.last);
+      if (this.last) this.drawNow();
     }).observe(this.svg);
   }
 
@@ -84,12 +89,19 @@ export class Plot {
     return this.height - MARGIN.bottom - share * (this.height - MARGIN.top - MARGIN.bottom);
   }
 
-  /** @param picture x, y: ranges; marks: functions of the plot that each return SVG elements */
+  /**
+   * Draws where somebody sees it, else when somebody will.
+   * @param picture x, y: ranges; marks: functions of the plot that each return SVG elements
+   */
   draw(picture) {
     this.last = picture;
+    if (this.isSeen) this.drawNow();
+  }
+
+  drawNow() {
     if (!this.width) return;
     this.drawAxes();
-    this.marks.replaceChildren(...picture.marks.flatMap((mark) => mark(this)));
+    this.marks.replaceChildren(...this.last.marks.flatMap((mark) => mark(this)));
   }
 
   drawAxes() {

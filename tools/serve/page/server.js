@@ -13,6 +13,8 @@ export async function ask(path, request) {
   throw Object.assign(new Error([problem, remedy].filter(Boolean).join('; ')), { field, status: response.status });
 }
 
+const MOST_REFUSALS = 20;  // of a busy server, then it is said
+
 const pause = (ms) => new Promise((wake) => setTimeout(wake, ms));
 
 /** Keeps one kind of answer up to date. */
@@ -30,6 +32,7 @@ export class Follower {
 
   async run() {
     this.running = true;
+    let refused = 0;
     while (this.wanted) {
       const { request, since } = this.wanted;
       this.wanted = null;
@@ -38,7 +41,7 @@ export class Follower {
         this.show(answer, request);
         performance.measure(`update ${this.path}`, { start: since, end: performance.now() });
       } catch (error) {
-        if (error.status === 503) {
+        if (error.status === 503 && ++refused < MOST_REFUSALS) {
           await pause(300);
           this.wanted ??= { request, since };
         } else {

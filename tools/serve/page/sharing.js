@@ -26,7 +26,7 @@ async function figureSvg(charts, subtitle) {
   const theme = await (await fetch('theme.css')).text();
   const light = theme.match(/:root \{[^}]*\}/)[0];
   const cell = WIDTH / COLUMNS;
-  const tall = 310;
+  const tall = 322;
   const rows = Math.ceil(charts.length / COLUMNS);
   const svg = shape('svg', { xmlns: 'http://www.w3.org/2000/svg', width: WIDTH, height: HEAD + rows * tall, viewBox: `0 0 ${WIDTH} ${HEAD + rows * tall}` });
   svg.append(shape('style', {}, `${light} text { font-family: Helvetica, Arial, sans-serif; } ${css}`),
@@ -37,9 +37,10 @@ async function figureSvg(charts, subtitle) {
     const place = shape('g', { transform: `translate(${(i % COLUMNS) * cell + 12} ${HEAD + Math.floor(i / COLUMNS) * tall})` });
     place.append(shape('text', { x: 40, y: 16, 'font-size': 15, 'font-weight': 700 }, plot.words.title),
       shape('text', { x: cell - 36, y: 16, 'font-size': 13, fill: '#4d4d4d', 'text-anchor': 'end' }, plot.reading.textContent));
+    plot.drawNow();
     const drawn = plot.svg.cloneNode(true);
-    for (const [key, value] of Object.entries({ y: 24, width: cell - 24, height: tall - 52, preserveAspectRatio: 'xMidYMid meet' })) drawn.setAttribute(key, value);
-    place.append(drawn, ...legend(plot, tall - 8));
+    for (const [key, value] of Object.entries({ y: 24, width: cell - 24, height: tall - 66, preserveAspectRatio: 'xMidYMid meet' })) drawn.setAttribute(key, value);
+    place.append(drawn, ...legend(plot, tall - 24));
     svg.append(place);
   });
   return new XMLSerializer().serializeToString(svg);
@@ -90,7 +91,9 @@ export class Sharing {
 
   async copy(button, field) {
     field.select();
-    await navigator.clipboard.writeText(field.value);
+    // Off the loopback there is no clipboard but the old one.
+    if (navigator.clipboard) await navigator.clipboard.writeText(field.value);
+    else document.execCommand('copy');
     button.textContent = 'Copied';
     setTimeout(() => { button.textContent = 'Copy'; }, 1500);
   }

@@ -38,7 +38,7 @@ export class View3d {
     this.orbit.addEventListener('change', () => this.render());
     canvas.addEventListener('keydown', (event) => this.turn(event));
     this.build();
-    new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
+    new ResizeObserver(() => this.resize()).observe(canvas);
   }
 
   build() {
@@ -162,11 +162,12 @@ export class View3d {
   }
 
   resize() {
-    const { clientWidth: width, clientHeight: height } = this.canvas.parentElement;
+    const { clientWidth: width, clientHeight: height } = this.canvas;
+    if (!width || !height) return;
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
-    // A tall view must not cut the plate's corners.
-    this.camera.fov = width < height * 1.15 ? 40 : 32;
+    // Wide enough for the plate, be the view ever so narrow.
+    this.camera.fov = Math.max(32, (2 / RAD) * Math.atan(Math.tan(17 * RAD) / this.camera.aspect));
     this.camera.updateProjectionMatrix();
     this.render();
   }
