@@ -58,10 +58,13 @@ double mean_power(const Channel& channel) {
 }
 
 double mean_reflected_power(const Reflector& reflector, const FrequencyComb& comb) {
+    // A quarter of the samples: enough for sheets that swing over the band some ten times.
+    const int step = std::max(1, comb.n / 32);
     double sum = 0.0;
-    for (int i = 0; i < comb.n; ++i)
+    int n = 0;
+    for (int i = 0; i < comb.n; i += step, ++n)
         sum += std::norm(stack_reflection(reflector(comb.at(i)), 1.0).te);
-    return sum / comb.n;
+    return sum / n;
 }
 
 }  // namespace

@@ -180,6 +180,10 @@ SessionFrames simulate_session(const Bench& bench, const Condition& condition,
     SessionFrames out;
     out.is_weak = !echo_limits(scene, bench.materials, echo).empty();
     Truth truth = session_truth(condition, id, sample, placed);
+    const std::size_t per_frame = chain.codes_per_frame();
+    out.adc.resize(static_cast<std::size_t>(condition.frames) * per_frame);
+    if (bench.radar.receiver.complex_samples) out.adc_quadrature.resize(out.adc.size());
+    ReceiverScratch scratch;
     for (int i = 0; i < condition.frames; ++i) {
         const std::uint32_t item = (item_of(condition, id) << 12) | static_cast<std::uint32_t>(i);
         const double share = condition.frames > 1 ? i / (condition.frames - 1.0) : 0.5;
@@ -187,10 +191,13 @@ SessionFrames simulate_session(const Bench& bench, const Condition& condition,
         state.gain_db += placed.gain_db + drift.gain_db(share);
         if (board_drifts) state.board_factor = drift.board_factor(share);
         Stream noise(key_of(bench, id, "thermal noise", item));
-        const AdcFrame frame = chain.receive(input, state, noise);
-        out.adc.insert(out.adc.end(), frame.codes.begin(), frame.codes.end());
-        out.adc_quadrature.insert(out.adc_quadrature.end(), frame.quadrature.begin(),
-                                  frame.quadrature.end());
+        const auto codes_of = [&](std::vector<std::int16_t>& all) {
+            return all.empty()
+                       ? std::span<std::int16_t>{}
+                       : std::span(all).subspan(static_cast<std::size_t>(i) * per_frame, per_frame);
+        };
+        chain.record(input, state,
+                     {noise, scratch, {codes_of(out.adc), codes_of(out.adc_quadrature)}});
         truth.frame = i;
         truth.gain_db = state.gain_db;
         truth.displacement_m = state.displacement_m;

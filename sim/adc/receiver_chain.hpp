@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "scenes/motion.hpp"
 #include "scenes/radar.hpp"
 #include "sim/adc/adc_frame.hpp"
@@ -29,6 +31,21 @@ struct FrameState {
     StreamKey draw = {};  ///< names the frame; the purposes "ramp" and "interferer" are drawn by it
 };
 
+/// Where a frame goes: memory of the caller's.
+struct FrameCodes {
+    std::span<std::int16_t> in_phase;      ///< (chirp, rx, sample)
+    std::span<std::int16_t> quadrature{};  ///< likewise, of a complex receiver
+};
+
+/// What a chain works in: whoever records many frames keeps it, and none of them allocates.
+struct ReceiverScratch {
+    std::vector<Complex> echo_turn{};               ///< (sample): gain and displacement
+    std::vector<double> frequency_error{};          ///< (sample); empty: none
+    std::vector<double> turns{}, cosine{}, sine{};  ///< (sample)
+    std::vector<Complex> beat{};                    ///< (rx, sample)
+    std::vector<double> noise{};                    ///< (rail, draw)
+};
+
 /// From the antenna ports to ADC codes: feeds, gain, phase noise of the ramp, a second radar,
 /// thermal noise, IF high-pass, noise of the ADC, start-up of the decimation filter, DC offset,
 /// saturating quantisation. Every chirp of the frame has its own noise; what a radar's file leaves
@@ -45,6 +62,16 @@ class ReceiverChain {
     /// @in noise  advanced by the same amount for every frame of one radar
     AdcFrame receive(const ReceiverInput& input, const FrameState& state, Stream& noise) const;
 
+    /// The same codes into memory of the caller's, of size codes_per_frame().
+    struct Recording {
+        Stream& noise;
+        ReceiverScratch& scratch;
+        FrameCodes codes;
+    };
+    void record(const ReceiverInput& input, const FrameState& state,
+                const Recording& recording) const;
+    std::size_t codes_per_frame() const;
+
     /// One rail without noise, before rounding.
     /// @in  beat  (sample from the start of the ramp), in LSB of the ADC before the high-pass
     /// @out (sample of the frame)
@@ -59,13 +86,13 @@ class ReceiverChain {
 
   private:
     struct Chirp;  ///< what one chirp has in common for all RX
-    void turn_echo(const FrameState& state, Chirp& chirp) const;
+    void turn_echo(const FrameState& state, const Chirp& chirp, ReceiverScratch& scratch) const;
     void add_board(const BeatSignal& board, const FrameState& state, const Chirp& chirp, int rx,
-                   std::vector<Complex>& beat) const;
+                   std::span<Complex> beat) const;
     void arrive(const ReceiverInput& input, const FrameState& state, const Chirp& chirp, int rx,
-                std::vector<Complex>& beat) const;
-    struct Rail;  ///< I or Q of one RX
-    void digitise(const Rail& rail, Stream& noise, std::vector<std::int16_t>& codes) const;
+                std::span<Complex> beat) const;
+    struct Rails;  ///< I and Q of all RX
+    void digitise(const Rails& rails) const;
 
     Radar radar_;
     double signal_lsb_;
@@ -73,9 +100,9 @@ class ReceiverChain {
     RampNoise ramp_noise_;
     std::optional<Interference> interference_;
     HighPass high_pass_;
-    std::size_t n_dark_;                    ///< samples before the TX sends
-    std::vector<double> start_up_;          ///< (sample of the frame), as far as it reaches
-    std::vector<double> wavenumber_rad_m_;  ///< (sample, settling ones included)
+    std::size_t n_dark_;               ///< samples before the TX sends
+    std::vector<double> start_up_;     ///< (sample of the frame), as far as it reaches
+    std::vector<double> turns_per_m_;  ///< of an echo, (sample, settling ones included)
 };
 
 }  // namespace specula

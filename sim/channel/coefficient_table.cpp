@@ -11,8 +11,8 @@ constexpr int tried_first = 6;
 constexpr int most_over_frequency = most_polynomials / 3;
 
 /// All coefficients at n_p cosines and n_k frequencies, as a double series.
-CoefficientTable sampled(const Event& event, const Reflector& reflector, const ChebyshevGrid& cosine,
-                         const ChebyshevGrid& frequency_hz) {
+CoefficientTable sampled(const Event& event, const Reflector& reflector,
+                         const ChebyshevGrid& cosine, const ChebyshevGrid& frequency_hz) {
     const auto n_p = static_cast<std::size_t>(cosine.n);
     const auto n_k = static_cast<std::size_t>(frequency_hz.n);
     CoefficientTable table{cosine, frequency_hz, std::vector<Complex>(n_p * n_k),
@@ -98,8 +98,8 @@ std::optional<CoefficientTable> coefficient_table(const Event& event, const Refl
     while (cosine.n <= most_polynomials && frequency_hz.n <= most_over_frequency) {
         const CoefficientTable table = sampled(event, reflector, cosine, frequency_hz);
         const Needed needed = needed_of(table);
-        const bool enough = is_enough(needed.cosine, cosine.n) &&
-                            is_enough(needed.frequency, frequency_hz.n);
+        const bool enough =
+            is_enough(needed.cosine, cosine.n) && is_enough(needed.frequency, frequency_hz.n);
         if (enough) return cut(table, needed);
         if (!is_enough(needed.cosine, cosine.n)) cosine.n *= 2;
         if (!is_enough(needed.frequency, frequency_hz.n)) frequency_hz.n *= 2;

@@ -10,8 +10,8 @@ namespace specula {
 /// Chebyshev polynomials: coefficient = Sum_pk c(p, k) T_p(cosine) T_k(frequency).
 /// @eq PHYSICS.md#moments
 struct CoefficientTable {
-    ChebyshevGrid cosine;        ///< its n: how many polynomials
-    ChebyshevGrid frequency_hz;  ///< likewise
+    ChebyshevGrid cosine;         ///< its n: how many polynomials
+    ChebyshevGrid frequency_hz;   ///< likewise
     std::vector<Complex> te, tm;  ///< (cosine polynomial, frequency polynomial)
 
     /// The series over the cosine at frequencies in the interval: (cosine polynomial, frequency).

@@ -57,7 +57,8 @@ void StraightSums::sum_at_least(int n_frequencies, int n_polynomials) {
         turns.push_back(-comb_.at(i) / speed_of_light_m_s * reference_path_m_);
     }
     const auto n = frequencies_hz.size(), n_f = nodes_hz_.size();
-    const std::vector<double> by_frequency = interpolation_matrix(grid_.frequency_hz, frequencies_hz);
+    const std::vector<double> by_frequency =
+        interpolation_matrix(grid_.frequency_hz, frequencies_hz);
     from_nodes_.resize(n * n_f);
     for (std::size_t i = 0; i < n; ++i)
         for (std::size_t q = 0; q < n_f; ++q) from_nodes_[q * n + i] = by_frequency[i * n_f + q];

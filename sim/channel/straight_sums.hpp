@@ -36,10 +36,10 @@ class StraightSums {
     bool is_empty_;
     int n_for_paths_;  ///< frequencies that the paths alone need
     MomentGrid grid_;
-    std::vector<Moments> moments_;     ///< (rx), on the grid
-    std::vector<double> nodes_hz_;     ///< of the grid
-    std::vector<double> from_nodes_;   ///< (node, frequency of the comb)
-    std::vector<Complex> carrier_;     ///< (frequency of the comb)
+    std::vector<Moments> moments_;    ///< (rx), on the grid
+    std::vector<double> nodes_hz_;    ///< of the grid
+    std::vector<double> from_nodes_;  ///< (node, frequency of the comb)
+    std::vector<Complex> carrier_;    ///< (frequency of the comb)
     double reference_path_m_;
 };
 

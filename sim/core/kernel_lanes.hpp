@@ -22,7 +22,9 @@ inline Lanes load(const double* from) {
     std::memcpy(&lanes, from, sizeof lanes);
     return lanes;
 }
-inline void store(const Lanes& lanes, double* to) { std::memcpy(to, &lanes, sizeof lanes); }
+inline void store(const Lanes& lanes, double* to) {
+    std::memcpy(to, &lanes, sizeof lanes);
+}
 
 /// Adding and taking away 1.5 * 2^52 rounds to the nearest whole number, whose last bits then stand
 /// in the sum's.

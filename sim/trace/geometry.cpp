@@ -227,7 +227,8 @@ std::shared_ptr<Geometry::ReadyRays> Geometry::made_ready(const Vector3& from,
     ready->packets.resize((to.size() + packet_size - 1) / packet_size);
     const WaySource source{held_->frame, held_->around, from};
     for (std::size_t p = 0; p < ready->packets.size(); ++p)
-        make_ways(source, to.subspan(p * packet_size, std::min(packet_size, to.size() - p * packet_size)),
+        make_ways(source,
+                  to.subspan(p * packet_size, std::min(packet_size, to.size() - p * packet_size)),
                   ready->packets[p]);
     return ready;
 }
@@ -238,7 +239,8 @@ std::size_t Geometry::n_blocked(const ReadyRays& rays, bool in_packets) const {
         if (in_packets) {
             RTCRay16 all = rays_of(packet);
             occluded(held_->scene, packet.valid, all);
-            for (std::size_t i = 0; i < packet_size; ++i) n += packet.valid[i] && all.tfar[i] < 0.0f;
+            for (std::size_t i = 0; i < packet_size; ++i)
+                n += packet.valid[i] && all.tfar[i] < 0.0f;
             continue;
         }
         for (std::size_t i = 0; i < packet_size; ++i) {

@@ -113,8 +113,8 @@ double share_of(double accuracy_db) {
 
 /// Interpolation through n points is exact up to degree n - 1, half of what quadrature is.
 int thin_points_for(const Phase& phase, double smooth, double error) {
-    const int for_phase = std::max(order_beyond(phase.a_rad, error),
-                                   2 * order_beyond(0.5 * phase.q_rad, error));
+    const int for_phase =
+        std::max(order_beyond(phase.a_rad, error), 2 * order_beyond(0.5 * phase.q_rad, error));
     return for_phase + static_cast<int>(std::ceil(smooth));
 }
 
@@ -143,7 +143,8 @@ PointCount thin_points_needed(const Surface& surface, const Patch& patch,
     const double error = share_of(accuracy_db);
     // Patterns and spread have their nearest singularity a distance away across the patch.
     const double away = rates.distance_m / (0.5 * rates.size_m);
-    const double smooth = std::log(1.0 / error) / std::log(away + std::sqrt(away * away + 1.0)) / 2.0;
+    const double smooth =
+        std::log(1.0 / error) / std::log(away + std::sqrt(away * away + 1.0)) / 2.0;
     return {thin_points_for(rates.along_u(detail.half_band_rad_m, patch.half_u()), smooth, error),
             thin_points_for(rates.along_v(detail.half_band_rad_m, patch.half_v()), smooth, error)};
 }

@@ -59,6 +59,29 @@ PairScatter& RouteCollector::pair_of(const Route& route, std::size_t rx) {
     return scatter_.routes.back().rx[rx];
 }
 
+void RouteCollector::add_straight(const WeightedPoint& point, int body, const StraightWay& way,
+                                  std::size_t rx) {
+    const PlacedAntenna &tx = antennas_.tx, &receiver = antennas_.rx[rx];
+    const double r1 = (point.point_m - tx.position_m).norm();
+    const Vector3 to_rx = receiver.position_m - point.point_m;
+    const double r2 = to_rx.norm();
+    const BounceWeights w = bounce_weights(
+        {.to_point = way.arriving,
+         .to_rx = to_rx / r2,
+         .normal = way.normal,
+         .tx_field = tx.rotation * tx_pattern_(tx.rotation.transpose() * way.arriving),
+         .rx_field =
+             receiver.rotation * rx_patterns_[rx](receiver.rotation.transpose() * (-to_rx / r2))});
+    const double spread = point.area_m2 / (r1 * r2);
+    PairScatter& pair =
+        pair_of({.before = {}, .body = body, .from_behind = way.from_behind, .after = {}}, rx);
+    pair.path_m.push_back(r1 + r2);
+    pair.cos_incidence.push_back(std::min(1.0, -way.arriving.dot(way.normal)));
+    pair.weight[0].push_back(w.incident * spread);
+    pair.weight[1].push_back(w.te * spread);
+    pair.weight[2].push_back(w.tm * spread);
+}
+
 void RouteCollector::add(const WeightedPoint& point, int body, const Walk& walk,
                          const Vector3& source_m, std::size_t rx) {
     const PlacedAntenna& receiver = antennas_.rx[rx];

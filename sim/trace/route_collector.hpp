@@ -2,23 +2,26 @@
 
 #include "sim/trace/placed_antenna.hpp"
 #include "sim/trace/walk.hpp"
+#include "sim/trace/weighted_points.hpp"
 
 namespace specula {
-
-/// A point of the quadrature: where, how much area, and its front side.
-struct WeightedPoint {
-    Vector3 point_m;
-    Vector3 normal;  ///< unit
-    double area_m2;
-};
 
 /// Sorts points into routes and works out their weights.
 class RouteCollector {
   public:
     RouteCollector(const Target& target, const AntennaSet& antennas)
-        : target_(target), antennas_(antennas) {
+        : target_(target), antennas_(antennas), tx_pattern_(antennas.tx.pattern) {
         scatter_.n_rx = static_cast<int>(antennas.rx.size());
+        for (const PlacedAntenna& rx : antennas.rx) rx_patterns_.emplace_back(rx.pattern);
     }
+
+    /// A point that the wave reaches and leaves straight.
+    struct StraightWay {
+        Vector3 arriving;  ///< unit
+        Vector3 normal;    ///< unit, against the wave
+        bool from_behind = false;
+    };
+    void add_straight(const WeightedPoint& point, int body, const StraightWay& way, std::size_t rx);
 
     void add(const WeightedPoint& point, int body, const Walk& walk, const Vector3& source_m,
              std::size_t rx);
@@ -29,6 +32,8 @@ class RouteCollector {
 
     const Target& target_;
     const AntennaSet& antennas_;
+    FieldPattern tx_pattern_;
+    std::vector<FieldPattern> rx_patterns_;
     Scatter scatter_;
 };
 

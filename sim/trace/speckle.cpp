@@ -124,8 +124,8 @@ double cosine_between(const LitNode& node, const NodeView& view) {
 }  // namespace
 
 std::optional<RouteScatter> drawn_thin_cells(const Target& target, const AntennaSet& antennas,
-                                             const RoughLayer& layer,
-                                             const TraceSettings& settings, Stream& piece) {
+                                             const RoughLayer& layer, const TraceSettings& settings,
+                                             Stream& piece) {
     if (!thinnable_plate(target, antennas, settings)) return std::nullopt;
     const Surface& surface = target.faces()[0].surfaces[0];
     const SurfacePoint middle = surface_point(surface, 0.0, 0.0);

@@ -38,8 +38,8 @@ void draw_speckle(RouteScatter& cells, Stream& piece);
 /// amplitudes are summed into few points (thin_plate.hpp). Nothing where that is not possible or
 /// saves nothing; the stream is then as it was.
 std::optional<RouteScatter> drawn_thin_cells(const Target& target, const AntennaSet& antennas,
-                                             const RoughLayer& layer,
-                                             const TraceSettings& settings, Stream& piece);
+                                             const RoughLayer& layer, const TraceSettings& settings,
+                                             Stream& piece);
 
 /// The smallest side of a cell.
 inline constexpr double smallest_cell_m = 6e-3;

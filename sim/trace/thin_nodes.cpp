@@ -33,12 +33,12 @@ NodeView NodeViewer::operator()(const LitNode& node) const {
     const Vector3 to_rx = rx_.position_m - node.point_m;
     NodeView view{.r2_m = to_rx.norm(), .to_rx = {}, .weights = {}};
     view.to_rx = to_rx / view.r2_m;
-    view.weights =
-        bounce_weights({.to_point = node.arriving,
-                        .to_rx = view.to_rx,
-                        .normal = node.normal,
-                        .tx_field = node.tx_field,
-                        .rx_field = rx_.rotation * pattern_(rx_.rotation.transpose() * -view.to_rx)});
+    view.weights = bounce_weights(
+        {.to_point = node.arriving,
+         .to_rx = view.to_rx,
+         .normal = node.normal,
+         .tx_field = node.tx_field,
+         .rx_field = rx_.rotation * pattern_(rx_.rotation.transpose() * -view.to_rx)});
     return view;
 }
 

@@ -16,8 +16,7 @@ constexpr double worth_while = 0.4;
 
 /// Height of a point over the plate's surface continued beyond its rim, in the plate's frame.
 double height_over(const PlateSurface& plate, const Vector3& point_m) {
-    const Vector3 own =
-        plate.placement.rotation.transpose() * (point_m - plate.placement.shift_m);
+    const Vector3 own = plate.placement.rotation.transpose() * (point_m - plate.placement.shift_m);
     return own.z() - plate.plate.height_m(own.x(), own.y());
 }
 
@@ -55,8 +54,8 @@ class ThinPlate {
             const PointCount dense =
                 points_needed(surface_, patch, centres, speed_of_light_m_s / settings_.highest_hz,
                               settings_.accuracy_db);
-            const PointCount thin = thin_points_needed(surface_, patch, centres, detail_,
-                                                       settings_.accuracy_db);
+            const PointCount thin =
+                thin_points_needed(surface_, patch, centres, detail_, settings_.accuracy_db);
             counts.dense = {std::max(counts.dense.u, dense.u), std::max(counts.dense.v, dense.v)};
             counts.thin = {std::max(counts.thin.u, thin.u), std::max(counts.thin.v, thin.v)};
         }
@@ -87,8 +86,8 @@ class ThinPlate {
 
     void add_pair(const ThinPoints& points, const std::vector<LitNode>& lit, std::size_t rx) {
         const PlacedAntenna& receiver = antennas_.rx[rx];
-        const auto sums = points.weights({antennas_.tx.position_m, receiver.position_m},
-                                         detail_.centre_rad_m);
+        const auto sums =
+            points.weights({antennas_.tx.position_m, receiver.position_m}, detail_.centre_rad_m);
         const NodeViewer seen_from(receiver);
         for (std::size_t i = 0; i < lit.size(); ++i) {
             const NodeView view = seen_from(lit[i]);

@@ -21,6 +21,14 @@ ThinPoints::Axis axis_of(const double (&ends)[2], int n_dense, int n_thin) {
     return thin_axis({low, high}, n_thin, std::move(dense), weights);
 }
 
+/// Without the derivatives.
+Vector3 place_on(const Surface& surface, double u, double v) {
+    const auto* on = std::get_if<PlateSurface>(&surface);
+    if (!on) return surface_point(surface, u, v).point_m;
+    const double x = 0.5 * on->plate.size_x_m * u, y = 0.5 * on->plate.size_y_m * v;
+    return on->placement.point({x, y, on->plate.height_m(x, y)});
+}
+
 }  // namespace
 
 ThinPoints::Axis thin_axis(const AxisInterval& interval, int n_thin, std::vector<double> dense,
@@ -67,7 +75,7 @@ ThinPoints::ThinPoints(const Surface& surface, Axis u, Axis v)
     z_.resize(n);
     for (std::size_t j = 0; j < v_.dense.size(); ++j)
         for (std::size_t i = 0; i < u_.dense.size(); ++i) {
-            const Vector3 point = surface_point(surface, u_.dense[i], v_.dense[j]).point_m;
+            const Vector3 point = place_on(surface, u_.dense[i], v_.dense[j]);
             x_[j * row_ + i] = point.x();
             y_[j * row_ + i] = point.y();
             z_[j * row_ + i] = point.z();

@@ -34,8 +34,8 @@ class ThinPoints {
 
     /// Along one axis: the many points with their weights, seen from the few.
     struct Axis {
-        std::vector<double> dense;   ///< parameters of the many
-        std::vector<double> thin;    ///< parameters of the few
+        std::vector<double> dense;     ///< parameters of the many
+        std::vector<double> thin;      ///< parameters of the few
         std::vector<double> lagrange;  ///< (dense, thin), weights included
     };
     /// Any grid; its points lie on the surface at the axes' parameters.
@@ -52,7 +52,7 @@ class ThinPoints {
                     std::vector<double>& waves) const;
 
     Axis u_, v_;
-    std::size_t row_;  ///< of the dense grid, padded
+    std::size_t row_;                ///< of the dense grid, padded
     std::vector<double> x_, y_, z_;  ///< (v, u) of the many
     std::vector<Node> nodes_;
 };

@@ -6,6 +6,7 @@
 #include "sim/core/expect.hpp"
 #include "sim/trace/edge_trace.hpp"
 #include "sim/trace/gauss_legendre.hpp"
+#include "sim/trace/many_surfaces.hpp"
 #include "sim/trace/quadrature.hpp"
 #include "sim/trace/route_collector.hpp"
 #include "sim/trace/thin_plate.hpp"
@@ -14,33 +15,8 @@ namespace specula {
 
 namespace {
 
-/// A patch whose ways differ is halved until it is this small, in shares of a wavelength.
-constexpr double smallest_cut_wavelengths = 0.1;
 /// A surface that no looked-at point of is reached over mirrors is taken as unreached.
 constexpr int looks_at_surface = 16;
-/// Where other faces may cast shadows, ways are compared at no fewer points per axis of a patch
-/// than this, however few the integral needs.
-constexpr int fewest_ways = 5;
-
-std::vector<WeightedPoint> points_on(const Surface& surface, const Patch& patch, PointCount count) {
-    const GaussRule& rule_u = gauss_legendre(count.u);
-    const GaussRule& rule_v = gauss_legendre(count.v);
-    std::vector<WeightedPoint> points;
-    points.reserve(rule_u.nodes.size() * rule_v.nodes.size());
-    for (std::size_t j = 0; j < rule_v.nodes.size(); ++j) {
-        for (std::size_t i = 0; i < rule_u.nodes.size(); ++i) {
-            const SurfacePoint at =
-                surface_point(surface, patch.u_at(rule_u.nodes[i]), patch.v_at(rule_v.nodes[j]));
-            const Vector3 normal = at.area_normal();
-            const double stretch = normal.norm();
-            points.push_back({at.point_m, normal / stretch,
-                              stretch * patch.half_u() * patch.half_v() * rule_u.weights[i] *
-                                  rule_v.weights[j]});
-        }
-    }
-    return points;
-}
-
 /// Follows one source (the TX or an image) over one face to one RX.
 class FaceTracer {
   public:
@@ -59,7 +35,15 @@ class FaceTracer {
           routes_(routes) {}
 
     void add(const Task& task) {
-        for (const Surface& surface : target_.faces()[static_cast<std::size_t>(task.face)].surfaces)
+        const auto& surfaces = target_.faces()[static_cast<std::size_t>(task.face)].surfaces;
+        if (surfaces.size() >= ManySurfaces::fewest && is_plain(task)) {
+            const auto alone = [&](const Surface& surface, const Patch& patch) {
+                add(task, surface, patch);
+            };
+            return ManySurfaces(target_, antennas_, settings_, routes_)
+                .add({task.face, task.rx}, alone);
+        }
+        for (const Surface& surface : surfaces)
             if (task.mirrors.faces.empty() || is_reached(task, surface))
                 for (const Patch& patch : patches_of(surface)) add(task, surface, patch);
     }

@@ -14,9 +14,11 @@ namespace specula {
 namespace {
 
 const std::vector<std::pair<std::string, BenchPart>> all_parts{
-    {"stages", bench_stages},     {"trace", bench_trace},   {"channel", bench_channel},
-    {"receiver", bench_receiver}, {"frames", bench_frames}, {"storage", bench_storage},
-    {"learning", bench_learning}, {"growth", bench_growth}, {"threads", bench_threads}};
+    // First, so that the memory is its own.
+    {"generate", bench_generate}, {"stages", bench_stages},     {"trace", bench_trace},
+    {"channel", bench_channel},   {"receiver", bench_receiver}, {"frames", bench_frames},
+    {"storage", bench_storage},   {"learning", bench_learning}, {"growth", bench_growth},
+    {"threads", bench_threads}};
 
 bool is_wanted(const BenchPlan& plan, const std::string& part) {
     return plan.parts.empty() ||

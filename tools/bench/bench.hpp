@@ -11,14 +11,14 @@ namespace specula {
 
 /// One measured rate, of one core.
 struct BenchRate {
-    std::string part{};                ///< "trace", "channel", ...
-    std::string name{};                ///< what was done
-    std::string unit{};                ///< what is counted
-    double per_second = 0.0;           ///< CPU-second of one core
-    std::string limit{};               ///< name of the rate of the same part it is held against
-    double share_of_limit = 0.0;       ///< of that rate; 0: held against none
-    std::optional<double> error{};     ///< against the oracle, of its largest value
-    std::string oracle{};              ///< what that was
+    std::string part{};             ///< "trace", "channel", ...
+    std::string name{};             ///< what was done
+    std::string unit{};             ///< what is counted
+    double per_second = 0.0;        ///< CPU-second of one core
+    std::string limit{};            ///< name of the rate of the same part it is held against
+    double share_of_limit = 0.0;    ///< of that rate; 0: held against none
+    std::optional<double> error{};  ///< against the oracle, of its largest value
+    std::string oracle{};           ///< what that was
 };
 
 /// What one frame costs in a stage.
@@ -49,7 +49,17 @@ struct BenchThreads {
     double cpu_s_per_item = 0.0;  ///< grows where threads wait for each other
 };
 
+/// A whole dataset, from laws to a compressed file.
+struct BenchGenerated {
+    double frames = 0.0;
+    int threads = 1;
+    double frames_per_s = 0.0;  ///< by the clock on the wall
+    double bytes_per_s = 0.0;   ///< of the file
+    double peak_memory_bytes = 0.0;
+};
+
 struct BenchReport {
+    std::vector<BenchGenerated> generated;
     std::vector<BenchRate> rates;
     std::vector<BenchStage> stages;
     std::vector<BenchGrowth> growth;

@@ -49,15 +49,16 @@ void add_sums(const BenchPlan& plan, const OpenScene& open, BenchReport& report)
                                   direct_sum(scatter, 0, open.reflectors, open.comb.first_hz);
                               })});
     const Channel channel = channel_of(scatter, open.reflectors, open.comb);
-    report.add({.part = "channel",
-                .name = "moments",
-                .unit = "path-samples",
-                .per_second = path_samples(scatter, open) / seconds_per_call(plan.budget_s, [&] {
-                                  channel_of(scatter, open.reflectors, open.comb);
-                              }),
-                .limit = "plain double sum",
-                .error = off_the_plain_sum(channel, scatter, open),
-                .oracle = "plain double sum"});
+    report.add(
+        {.part = "channel",
+         .name = "moments",
+         .unit = "path-samples",
+         .per_second = path_samples(scatter, open) /
+                       seconds_per_call(plan.budget_s,
+                                        [&] { channel_of(scatter, open.reflectors, open.comb); }),
+         .limit = "plain double sum",
+         .error = off_the_plain_sum(channel, scatter, open),
+         .oracle = "plain double sum"});
 }
 
 /// Geometry to channel, smooth samples and rough ones.
@@ -67,16 +68,17 @@ void add_echoes(const BenchPlan& plan, const BenchScene& scene, BenchReport& rep
             const Scene tilted = scene.plate(material, tilt_deg * degree_rad);
             const OpenScene open(tilted, scene.catalogue.materials);
             const Scatter converged = scatter_of(open, converged_db);
-            const Channel coherent =
-                channel_of(trace(open.target, open.antennas, open.settings), open.reflectors, open.comb);
-            report.add({.part = "channel",
-                        .name = format("new geometries, {}, tilt {} deg", material, tilt_deg),
-                        .unit = "geometries",
-                        .per_second = 1.0 / seconds_per_call(plan.budget_s, [&] {
-                                          echo_channel(tilted, scene.catalogue.materials);
-                                      }),
-                        .error = off_the_plain_sum(coherent, converged, open),
-                        .oracle = "converged integral, summed plainly"});
+            const Channel coherent = channel_of(trace(open.target, open.antennas, open.settings),
+                                                open.reflectors, open.comb);
+            report.add(
+                {.part = "channel",
+                 .name = format("new geometries, {}, tilt {} deg", material, tilt_deg),
+                 .unit = "geometries",
+                 .per_second = 1.0 / seconds_per_call(
+                                         plan.budget_s,
+                                         [&] { echo_channel(tilted, scene.catalogue.materials); }),
+                 .error = off_the_plain_sum(coherent, converged, open),
+                 .oracle = "converged integral, summed plainly"});
         }
 }
 

@@ -62,26 +62,29 @@ Figure growth_figure(const BenchReport& report) {
                        format("{:.0f}", point.memory_bytes)});
         }
         blocks += "END\n";
-        curves += format("{}$g{} using 1:2 with linespoints pointtype {} linewidth 1.4 linecolor rgb '{}'",
-                         i == 0 ? "plot " : ", ", i, series_point(i), series_colour(i));
-        legend += legend_row(canvas, area.right + 14, area.top + 14 + row_px * static_cast<double>(i),
-                             {{.label = format("{} ({:.2f})", growth.axis, growth.exponent()),
-                               .colour = series_colour(i),
-                               .marker = Marker::line_point,
-                               .point_type = series_point(i)}})
-                      .commands;
+        curves += format(
+            "{}$g{} using 1:2 with linespoints pointtype {} linewidth 1.4 linecolor rgb '{}'",
+            i == 0 ? "plot " : ", ", i, series_point(i), series_colour(i));
+        legend +=
+            legend_row(canvas, area.right + 14, area.top + 14 + row_px * static_cast<double>(i),
+                       {{.label = format("{} ({:.2f})", growth.axis, growth.exponent()),
+                         .colour = series_colour(i),
+                         .marker = Marker::line_point,
+                         .point_type = series_point(i)}})
+                .commands;
     }
     const std::string title = "How the time of a frame grows";
     return {.name = "bench_growth",
             .title = title,
-            .description = "CPU time against how many times larger than the smallest; the numbers in "
-                           "brackets are exponents of a power law, 1 is linear.",
+            .description =
+                "CPU time against how many times larger than the smallest; the numbers in "
+                "brackets are exponents of a power law, 1 is linear.",
             .script = axes_style() + blocks +
                       "set logscale xy\nset format x '%g'\nset format y '%g'\nset grid\n" +
                       canvas.frame(area) +
                       canvas.heading(area, title, "in brackets the exponent; 1 is linear") +
-                      canvas.axis_titles(area, "times the smallest size", "CPU time (ms)") + legend +
-                      curves + "\n",
+                      canvas.axis_titles(area, "times the smallest size", "CPU time (ms)") +
+                      legend + curves + "\n",
             .csv = table.text(),
             .width_in = canvas.width_in(),
             .height_in = canvas.height_in()};

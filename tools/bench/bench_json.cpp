@@ -43,10 +43,17 @@ std::string bench_json(const BenchReport& report, const BenchPlan& plan) {
                  {"software_version", program_version},
                  {"seconds_per_rate", plan.budget_s},
                  {"peak_memory_bytes", peak_memory_bytes()},
+                 {"generated", Ordered::array()},
                  {"stages", Ordered::array()},
                  {"rates", Ordered::array()},
                  {"growth", Ordered::array()},
                  {"threads", Ordered::array()}};
+    for (const BenchGenerated& made : report.generated)
+        json["generated"].push_back({{"frames", made.frames},
+                                     {"threads", made.threads},
+                                     {"frames_per_wall_second", made.frames_per_s},
+                                     {"bytes_per_wall_second", made.bytes_per_s},
+                                     {"peak_memory_bytes", made.peak_memory_bytes}});
     for (const BenchStage& stage : report.stages)
         json["stages"].push_back({{"name", stage.name},
                                   {"cpu_us", stage.microseconds},

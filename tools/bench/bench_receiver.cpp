@@ -23,12 +23,16 @@ void add_noise(const BenchPlan& plan, BenchReport& report) {
         for (std::size_t i = 0; i < block; ++i) all ^= stream.bits();
         numbers[0] = all;
     });
-    add({.part = "receiver", .name = "normal numbers, one by one", .unit = "numbers",
+    add({.part = "receiver",
+         .name = "normal numbers, one by one",
+         .unit = "numbers",
          .limit = "random bits"},
         [&] {
             for (double& number : numbers) number = stream.normal();
         });
-    add({.part = "receiver", .name = "normal numbers, in blocks", .unit = "numbers",
+    add({.part = "receiver",
+         .name = "normal numbers, in blocks",
+         .unit = "numbers",
          .limit = "random bits"},
         [&] { stream.fill_normal(numbers); });
 }

@@ -14,7 +14,9 @@ constexpr double tilt_rad = 0.09;  // about 5 degrees, so that no symmetry helps
 class SessionStages {
   public:
     SessionStages(const BenchPlan& plan, const BenchScene& scene, const SampleLaw& law)
-        : plan_(plan), library_(scene.catalogue.materials), scene_(scene.plate(law.name, tilt_rad)) {
+        : plan_(plan),
+          library_(scene.catalogue.materials),
+          scene_(scene.plate(law.name, tilt_rad)) {
         Stream stream({.seed = 1, .purpose = "bench sample"});
         scene_.sample.thickness_m = law.thickness_m.sample(stream);
         scene_.sample.roughness_m = law.roughness_m.sample(stream);
@@ -26,8 +28,8 @@ class SessionStages {
     void measure(double share, std::vector<BenchStage>& stages) const {
         const OpenScene open(scene_, library_);
         const RoughBody rough{0, open.reflectors[0], 7};
-        const SpeckleScene speckle{open.target, open.antennas, open.comb,
-                                   scene_.solver.accuracy_db, open.settings.layer_path_m};
+        const SpeckleScene speckle{open.target, open.antennas, open.comb, scene_.solver.accuracy_db,
+                                   open.settings.layer_path_m};
         Scatter scatter = trace(open.target, open.antennas, open.settings);
         Scatter cells{.n_rx = scatter.n_rx, .routes = {}};
         add_speckle(cells, speckle, rough);
@@ -75,14 +77,10 @@ class SessionStages {
 
 void bench_stages(const BenchPlan& plan, const BenchScene& scene, BenchReport& report) {
     std::vector<BenchStage> stages{
-        {.name = "scene"},
-        {.name = "trace"},
-        {.name = "coherent sum"},
-        {.name = "speckle"},
-        {.name = "speckle sum"},
-        {.name = "leakage, clutter"},
-        {.name = "beat"},
-        {.name = "receive", .per_frame = true}};
+        {.name = "scene"},        {.name = "trace"},
+        {.name = "coherent sum"}, {.name = "speckle"},
+        {.name = "speckle sum"},  {.name = "leakage, clutter"},
+        {.name = "beat"},         {.name = "receive", .per_frame = true}};
     const std::vector<SampleLaw>& classes = scene.experiment.population.classes;
     for (const SampleLaw& law : classes)
         SessionStages(plan, scene, law).measure(1.0 / static_cast<double>(classes.size()), stages);

@@ -1,11 +1,9 @@
-#include <unistd.h>
-
 #include <filesystem>
 #include <fstream>
 
-#include "sim/core/error.hpp"
 #include "sim/generate.hpp"
 #include "tools/bench/parts.hpp"
+#include "tools/bench/scratch_folder.hpp"
 #include "tools/bench/stopwatch.hpp"
 
 namespace specula {
@@ -15,26 +13,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int frames_per_session = 64;
-
-/// A folder of its own that goes away with it.
-class ScratchFolder {
-  public:
-    ScratchFolder() {
-        std::string name = (fs::temp_directory_path() / "specula-bench-XXXXXX").string();
-        if (!::mkdtemp(name.data())) throw SystemError(name + ": cannot create the folder");
-        path_ = name;
-    }
-    ScratchFolder(const ScratchFolder&) = delete;
-    ScratchFolder& operator=(const ScratchFolder&) = delete;
-    ~ScratchFolder() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    const fs::path& path() const { return path_; }
-
-  private:
-    fs::path path_;
-};
 
 }  // namespace
 

@@ -51,22 +51,32 @@ std::string growth_text(const BenchReport& report) {
     return text;
 }
 
+std::string generated_text(const BenchReport& report) {
+    std::string text;
+    if (!report.generated.empty()) text += "\ngenerate: laws to a compressed file, by the clock\n";
+    for (const BenchGenerated& made : report.generated)
+        text += format("  {:>8.0f} frames, {} threads: {}frames/s, {}B/s, peak memory {}B\n",
+                       made.frames, made.threads, short_number(made.frames_per_s),
+                       short_number(made.bytes_per_s), short_number(made.peak_memory_bytes));
+    return text;
+}
+
 std::string threads_text(const BenchReport& report) {
     std::string text;
     if (!report.threads.empty()) text += "\nthreads\n";
     for (const BenchThreads& at : report.threads)
-        text += format("  {:>3}: {:.1f} sessions/s by the clock, {:.2f} times one, CPU {:.3g} ms each\n",
-                       at.threads, at.per_second,
-                       at.per_second / report.threads.front().per_second,
-                       1e3 * at.cpu_s_per_item);
+        text += format(
+            "  {:>3}: {:.1f} sessions/s by the clock, {:.2f} times one, CPU {:.3g} ms each\n",
+            at.threads, at.per_second, at.per_second / report.threads.front().per_second,
+            1e3 * at.cpu_s_per_item);
     return text;
 }
 
 }  // namespace
 
 std::string bench_text(const BenchReport& report) {
-    std::string text = stages_text(report) + rates_text(report) + growth_text(report) +
-                       threads_text(report);
+    const std::string text = generated_text(report) + stages_text(report) + rates_text(report) +
+                             growth_text(report) + threads_text(report);
     return text.empty() ? text : text.substr(1);
 }
 

@@ -27,9 +27,8 @@ std::vector<Vector3> in_tiles(At at) {
 }
 
 std::vector<Vector3> plate_points(double size_m) {
-    return in_tiles([&](double u, double v) {
-        return Vector3(0.5 * size_m * u, 0.5 * size_m * v, 0.0);
-    });
+    return in_tiles(
+        [&](double u, double v) { return Vector3(0.5 * size_m * u, 0.5 * size_m * v, 0.0); });
 }
 
 std::vector<Vector3> sphere_points(const BenchSphere& sphere) {

@@ -8,6 +8,7 @@ namespace specula {
 /// Each measures one part and adds to the report.
 using BenchPart = void (*)(const BenchPlan&, const BenchScene&, BenchReport&);
 
+void bench_generate(const BenchPlan& plan, const BenchScene& scene, BenchReport& report);
 void bench_stages(const BenchPlan& plan, const BenchScene& scene, BenchReport& report);
 void bench_trace(const BenchPlan& plan, const BenchScene& scene, BenchReport& report);
 void bench_channel(const BenchPlan& plan, const BenchScene& scene, BenchReport& report);

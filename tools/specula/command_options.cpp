@@ -31,7 +31,8 @@ void add_bench(CLI::App& program, BenchArguments& arguments) {
     CLI::App* command = add_command(
         program, "bench", "Measure how fast this machine simulates, beside what limits it",
         "specula bench stages channel --seconds 1\n"
-        "  WHAT: stages, trace, channel, receiver, frames, storage, learning, growth, threads.\n"
+        "  WHAT: generate, stages, trace, channel, receiver, frames, storage, learning, growth,\n"
+        "  threads.\n"
         "  Rates are per second of CPU time of one core; all of them take about a minute.");
     command->add_option("WHAT", arguments.parts, "parts to measure; default all");
     command->add_option("--seconds", arguments.seconds, "s of CPU time per rate, 0.001 to 60")

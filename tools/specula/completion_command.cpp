@@ -22,7 +22,7 @@ void completion_command(const std::string& shell, const std::vector<std::string>
         "        completion) words='bash zsh' ;;\n"
         "        export) words='model adc dca1000 rdif injection uart infineon npy csv datasheet "
         "croissant' ;;\n"
-        "        bench) words='stages trace channel receiver frames storage learning growth threads'"
+        "        bench) words='generate stages trace channel receiver frames storage learning growth threads'"
         " ;;\n"
         "        study) kinds=experiments ;;\n"
         "        generate) kinds='datasets experiments' ;;\n"
