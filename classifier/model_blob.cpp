@@ -65,7 +65,8 @@ void check(const Model& model) {
             format("measurement: is missing, and the firmware refuses to run a model that does not "
                    "say which chirp and range bins it was trained on (here: {}); train on range "
                    "bins of a dataset whose radar the catalogue knows (specula show DATASET; an "
-                   "import takes radar = \"NAME\" from its manifest) or with --radar NAME, take a model of specula "
+                   "import takes radar = \"NAME\" from its manifest) or with --radar NAME, take a "
+                   "model of specula "
                    "study, or export it as --onnx",
                    description_of(model)));
     if (model.n_features() > FW_MODEL_MAX_FEATURES)
@@ -91,8 +92,8 @@ void check(const Model& model) {
                    "it again",
                    model.measurement->descriptor.n_bins, model.n_features()));
     const Descriptor descriptor = descriptor_of(model);
-    if (descriptor.is_relative() || descriptor.unit_energy ||
-        descriptor.angle_rx > 0 || descriptor.looks > 1)
+    if (descriptor.is_relative() || descriptor.unit_energy || descriptor.angle_rx > 0 ||
+        descriptor.looks > 1)
         throw InputError(
             format("descriptor = \"{}\": the firmware does not compute it; train on range_bins "
                    "with align, range and log, or export the network alone as --onnx",
@@ -118,7 +119,8 @@ void write_normalisation(const Descriptor& descriptor, const fw_extract_config& 
                                        (steps.logarithm ? 4 : 0)));
     out.f32(uses_peak ? steps.target_bin : 0.0f);
     out.f32(steps.logarithm ? steps.floor_lsb : 0.0f);
-    const BinChoice search = uses_peak ? descriptor.profile() : BinChoice{int{bins.first_bin}, int{bins.n_bins}};
+    const BinChoice search =
+        uses_peak ? descriptor.profile() : BinChoice{int{bins.first_bin}, int{bins.n_bins}};
     out.u16(static_cast<std::uint16_t>(search.first));
     out.u16(static_cast<std::uint16_t>(search.count));
 }
