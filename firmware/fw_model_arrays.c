@@ -34,16 +34,17 @@ static fw_status take_floats(fw_blob_rest* rest, size_t n, const float** out) {
  * the form would be overlong, a surrogate or beyond U+10FFFF. */
 static bool is_name(const uint8_t name[FW_MODEL_NAME_BYTES]) {
     uint32_t n_more = 0, low = 0x80, high = 0xBF;
-    size_t n = 0;
-    for (; n < FW_MODEL_NAME_BYTES; ++n) {
-        const uint32_t byte = name[n];
+    bool ended = false;
+    for (size_t i = 0; i < FW_MODEL_NAME_BYTES; ++i) {
+        const uint32_t byte = name[i];
         if (n_more > 0) {
             if (byte < low || byte > high) return false;
             low = 0x80;
             high = 0xBF;
             --n_more;
-        } else if (byte == 0) {
-            break;
+        } else if (ended || byte == 0) {
+            if (i == 0 || byte != 0) return false;
+            ended = true;
         } else if (byte >= 0x80) {
             if (byte < 0xC2 || byte > 0xF4) return false;
             n_more = byte < 0xE0 ? 1 : byte < 0xF0 ? 2 : 3;
@@ -53,11 +54,7 @@ static bool is_name(const uint8_t name[FW_MODEL_NAME_BYTES]) {
             if (byte == 0xF4) high = 0x8F;
         }
     }
-    if (n == 0 || n == FW_MODEL_NAME_BYTES) return false;
-    while (n < FW_MODEL_NAME_BYTES) {
-        if (name[n++] != 0) return false;
-    }
-    return true;
+    return ended;
 }
 
 static fw_status read_names(fw_blob_rest* rest, fw_model* model) {

@@ -1,5 +1,8 @@
+#include <cstdlib>
+
 #include "classifier/measurement.hpp"
 #include "classifier/model_file.hpp"
+#include "scenes/catalogue.hpp"
 #include "sim/dataset/dataset.hpp"
 #include "tests/check.hpp"
 #include "tests/classifier/whole_model.hpp"
