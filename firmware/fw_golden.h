@@ -27,14 +27,14 @@ extern const int16_t fw_golden_chirp[FW_GOLDEN_N_SAMPLES];
 extern const uint32_t fw_golden_profile[FW_GOLDEN_N_IN];
 extern const int16_t fw_golden_im_re[2 * FW_GOLDEN_N_IN];
 
-/* A network 12-6-5 on (amplitude - 4) / 16: whole weights, (out, in), and biases; in float each
- * weight counts 1/512. Its integer forms use the weights as they are, the same multiplier in every
- * hidden row, and logits of 2^-10 per unit of the sum. */
-extern const int8_t fw_golden_weight_0[FW_GOLDEN_N_HIDDEN * FW_GOLDEN_N_IN];
-extern const int8_t fw_golden_weight_1[FW_GOLDEN_N_OUT * FW_GOLDEN_N_HIDDEN];
-extern const int32_t fw_golden_bias_0[FW_GOLDEN_N_HIDDEN];
-extern const int32_t fw_golden_bias_1[FW_GOLDEN_N_OUT];
-extern const int32_t fw_golden_multiplier;
+/* A network 12-6-5 on (amplitude - 4) / 16: whole weights, (out, in), and biases, of the first
+ * layer and then of the second; in float each counts 1/512. Its integer forms use the weights as
+ * they are, the same multiplier in every hidden row, and logits of 2^-10 per unit of the sum. */
+#define FW_GOLDEN_N_WEIGHT_0 (FW_GOLDEN_N_HIDDEN * FW_GOLDEN_N_IN)
+#define FW_GOLDEN_N_WEIGHTS (FW_GOLDEN_N_WEIGHT_0 + FW_GOLDEN_N_OUT * FW_GOLDEN_N_HIDDEN)
+extern const int8_t fw_golden_weight[FW_GOLDEN_N_WEIGHTS];
+extern const int32_t fw_golden_bias[FW_GOLDEN_N_HIDDEN + FW_GOLDEN_N_OUT];
+extern const int32_t fw_golden_multiplier[FW_GOLDEN_N_HIDDEN];
 
 extern const uint32_t fw_golden_logits[FW_GOLDEN_N_OUT];
 extern const uint32_t fw_golden_logits_int16[FW_GOLDEN_N_OUT];
@@ -44,8 +44,7 @@ extern const uint32_t fw_golden_probabilities[FW_GOLDEN_N_OUT];
 /* A layer (out, in) without bias: its first sum is subnormal and made of normal numbers, its second
  * is normal and has a subnormal weight in it. */
 extern const uint32_t fw_golden_subnormal_in[FW_GOLDEN_N_SUBNORMAL];
-extern const uint32_t
-    fw_golden_subnormal_weight[FW_GOLDEN_N_SUBNORMAL * FW_GOLDEN_N_SUBNORMAL];
+extern const uint32_t fw_golden_subnormal_weight[FW_GOLDEN_N_SUBNORMAL * FW_GOLDEN_N_SUBNORMAL];
 extern const uint32_t fw_golden_subnormal_logits[FW_GOLDEN_N_SUBNORMAL];
 
 #ifdef __cplusplus

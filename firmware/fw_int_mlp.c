@@ -51,11 +51,9 @@ static bool all_there(const fw_int_mlp* mlp) {
     return true;
 }
 
-/* An input in steps, half a step further from 0: cut off towards 0, that is rounding. */
+/* An input in steps, not rounded. */
 static inline float level_of(const fw_int_mlp* mlp, const float features[], size_t i) {
-    const float x = (features[i] - mlp->input_mean[i]) * mlp->input_scale[i];
-    const float level = x * mlp->input_levels;
-    return level + (level < 0.0f ? -0.5f : 0.5f);
+    return (features[i] - mlp->input_mean[i]) * mlp->input_scale[i] * mlp->input_levels;
 }
 
 /* The inputs as integers. */
@@ -63,6 +61,7 @@ static void quantise(const fw_int_mlp* mlp, const float features[], int16_t out[
     const float largest = (float)largest_of(mlp->width);
     for (size_t i = 0; i < mlp->layer[0].n_in; ++i) {
         float level = level_of(mlp, features, i);
+        level += level < 0.0f ? -0.5f : 0.5f;
         /* Both comparisons are false for NaN (0 * infinity), which then counts as 0. */
         if (level > largest) level = largest;
         if (level < -largest) level = -largest;
@@ -72,8 +71,7 @@ static void quantise(const fw_int_mlp* mlp, const float features[], int16_t out[
 
 uint16_t fw_int_clipped(const fw_int_mlp* mlp, const float features[]) {
     if (mlp == NULL || features == NULL) return 0;
-    if (mlp->input_mean == NULL || mlp->input_scale == NULL) return 0;
-    const float beyond = (float)largest_of(mlp->width) + 1.0f; /* rounds to more than largest */
+    const float beyond = (float)largest_of(mlp->width) + 0.5f; /* rounds to more than largest */
     uint16_t n = 0;
     for (size_t i = 0; i < mlp->layer[0].n_in; ++i) {
         const float level = level_of(mlp, features, i);
@@ -156,48 +154,45 @@ fw_status fw_int_mlp_run(const fw_int_mlp* mlp, const float features[], void* sc
     int16_t* in = scratch;
     int16_t* out = in + padded(width);
     quantise(mlp, features, in);
-    for (size_t i = 0; i + 1 < mlp->n_layers; ++i) {
-        prepare(in, mlp->layer[i].n_in, mlp->width);
-        hidden_layer(&mlp->layer[i], mlp->width, in, out);
+    const fw_int_layer* const last = &mlp->layer[mlp->n_layers - 1];
+    for (const fw_int_layer* layer = mlp->layer;; ++layer) {
+        prepare(in, layer->n_in, mlp->width);
+        if (layer == last) break;
+        hidden_layer(layer, mlp->width, in, out);
         int16_t* const reused = in;
         in = out;
         out = reused;
     }
-    const fw_int_layer* const last = &mlp->layer[mlp->n_layers - 1];
-    prepare(in, last->n_in, mlp->width);
     last_layer(last, mlp->width, in, logits);
     return probabilities == NULL ? FW_OK : fw_softmax(logits, last->n_out, probabilities);
 }
 
-/* Sum over i of |weight[o][i]|; the bound of fw_int_layer keeps it below 2^31 if it passes. */
-static int64_t row_size(const fw_int_layer* layer, fw_int_width width, size_t o) {
+static uint32_t size_of(int32_t value) {
+    return value < 0 ? 0u - (uint32_t)value : (uint32_t)value;
+}
+
+/* Sum over i of |weight[o][i]|, below 2^31: counts are 16 bits. Beyond the bound of fw_int_layer if
+ * the padding is not 0. */
+static uint32_t row_size(const fw_int_layer* layer, fw_int_width width, size_t o) {
     const size_t n = fw_int_stride(width, layer->n_in);
-    int64_t size = 0;
+    const int8_t* const bytes = (const int8_t*)layer->weight + o * n;
+    const int16_t* const halves = (const int16_t*)layer->weight + o * n;
+    uint32_t size = 0;
     for (size_t i = 0; i < n; ++i) {
-        const int32_t weight = width == FW_INT8 ? ((const int8_t*)layer->weight)[o * n + i]
-                                                : ((const int16_t*)layer->weight)[o * n + i];
-        size += weight < 0 ? -weight : weight;
+        const uint32_t weight = size_of(width == FW_INT8 ? bytes[i] : halves[i]);
+        if (i >= layer->n_in && weight != 0) return UINT32_MAX;
+        size += weight;
     }
     return size;
 }
 
-static bool padding_is_zero(const fw_int_layer* layer, fw_int_width width, size_t o) {
-    const size_t n = fw_int_stride(width, layer->n_in);
-    for (size_t i = layer->n_in; i < n; ++i) {
-        const bool zero = width == FW_INT8 ? ((const int8_t*)layer->weight)[o * n + i] == 0
-                                           : ((const int16_t*)layer->weight)[o * n + i] == 0;
-        if (!zero) return false;
-    }
-    return true;
-}
-
 static bool row_fits(const fw_int_layer* layer, fw_int_width width, size_t o, bool is_last) {
-    const int64_t bias = layer->bias[o];
-    const int64_t most = largest_of(width) * row_size(layer, width, o) + (bias < 0 ? -bias : bias);
-    if (most > INT32_MAX || !padding_is_zero(layer, width, o)) return false;
-    if (is_last)
-        return fw_all_finite(&layer->scale[o], 1) && layer->scale[o] < 1e28f &&
-               layer->scale[o] > -1e28f; /* times a sum of 2^31 it stays finite */
+    const uint64_t most =
+        (uint64_t)row_size(layer, width, o) * (uint32_t)largest_of(width) + size_of(layer->bias[o]);
+    if (most > INT32_MAX) return false;
+    if (is_last) { /* times a sum of 2^31 it stays finite; false for NaN */
+        return layer->scale[o] < 1e28f && layer->scale[o] > -1e28f;
+    }
     return layer->multiplier[o] >= 0 && layer->shift[o] >= 33 && layer->shift[o] <= 62;
 }
 

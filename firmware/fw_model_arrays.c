@@ -29,36 +29,32 @@ static fw_status take_floats(fw_blob_rest* rest, size_t n, const float** out) {
     return FW_OK;
 }
 
-/* Length of the well-formed UTF-8 sequence at the start of text (n bytes); 0 if there is none.
- * RFC 3629, section 4: no overlong forms, no surrogates, nothing beyond U+10FFFF. */
-static size_t utf8_length(const uint8_t text[], size_t n) {
-    const uint8_t lead = text[0];
-    if (lead < 0x80u) return 1;
-    if (lead < 0xC2u || lead > 0xF4u) return 0;
-    const size_t length = lead < 0xE0u ? 2 : lead < 0xF0u ? 3 : 4;
-    if (length > n) return 0;
-    for (size_t i = 1; i < length; ++i) {
-        if ((text[i] & 0xC0u) != 0x80u) return 0;
-    }
-    const uint8_t second = text[1];
-    const bool fits = (lead != 0xE0u || second >= 0xA0u) && (lead != 0xEDu || second < 0xA0u) &&
-                      (lead != 0xF0u || second >= 0x90u) && (lead != 0xF4u || second < 0x90u);
-    return fits ? length : 0;
-}
-
-/* Text of one byte at least, then zeros to the end, one at least. */
+/* Text of one byte at least, then zeros to the end, one at least. RFC 3629, section 4: behind the
+ * lead of a sequence come one to three bytes of 80..BF, the first of them in a narrower range where
+ * the form would be overlong, a surrogate or beyond U+10FFFF. */
 static bool is_name(const uint8_t name[FW_MODEL_NAME_BYTES]) {
-    size_t n = 0;
-    while (n < FW_MODEL_NAME_BYTES && name[n] != 0) {
-        const size_t length = utf8_length(name + n, FW_MODEL_NAME_BYTES - n);
-        if (length == 0) return false;
-        n += length;
+    uint32_t n_more = 0, low = 0x80, high = 0xBF;
+    bool ended = false;
+    for (size_t i = 0; i < FW_MODEL_NAME_BYTES; ++i) {
+        const uint32_t byte = name[i];
+        if (n_more > 0) {
+            if (byte < low || byte > high) return false;
+            low = 0x80;
+            high = 0xBF;
+            --n_more;
+        } else if (ended || byte == 0) {
+            if (i == 0 || byte != 0) return false;
+            ended = true;
+        } else if (byte >= 0x80) {
+            if (byte < 0xC2 || byte > 0xF4) return false;
+            n_more = byte < 0xE0 ? 1 : byte < 0xF0 ? 2 : 3;
+            if (byte == 0xE0) low = 0xA0;
+            if (byte == 0xED) high = 0x9F;
+            if (byte == 0xF0) low = 0x90;
+            if (byte == 0xF4) high = 0x8F;
+        }
     }
-    if (n == 0 || n >= FW_MODEL_NAME_BYTES) return false;
-    while (n < FW_MODEL_NAME_BYTES) {
-        if (name[n++] != 0) return false;
-    }
-    return true;
+    return ended;
 }
 
 static fw_status read_names(fw_blob_rest* rest, fw_model* model) {

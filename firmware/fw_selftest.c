@@ -47,107 +47,99 @@ static bool check_hwa_like(void* scratch, size_t scratch_bytes) {
            memcmp(im_re + 2 * FIRST_BIN, fw_golden_im_re, sizeof fw_golden_im_re) == 0;
 }
 
+/* (features - 4) / 16, and the integer networks' rows all alike: see fw_golden.h. */
+#define ALIKE(x) x, x, x, x, x, x
+static const float mean[N_IN] = {ALIKE(MEAN), ALIKE(MEAN)};
+static const float scale[N_IN] = {ALIKE(SCALE), ALIKE(SCALE)};
+static const int32_t shift[N_HIDDEN] = {ALIKE(FW_GOLDEN_SHIFT)};
+static const float logit_scale[N_OUT + 1] = {ALIKE(LOGIT_SCALE)};
+
 /* What the networks are made of, in the caller's scratch: on the stack it would be the deepest of
- * the library. The inputs are what the profile should be, so that one fault is not told twice. */
+ * the library. */
 typedef struct real_room {
-    float features[N_IN], mean[N_IN], scale[N_IN];
-    float weight_0[N_HIDDEN * N_IN], weight_1[N_OUT * N_HIDDEN], bias_0[N_HIDDEN], bias_1[N_OUT];
-    float logits[N_OUT], probabilities[N_OUT];
-    float values[2 * N_IN];
+    float weight[FW_GOLDEN_N_WEIGHTS], bias[N_HIDDEN + N_OUT];
+    float features[N_IN], logits[N_OUT], values[2 * N_IN];
 } real_room;
 
 typedef struct whole_room {
-    float features[N_IN], mean[N_IN], scale[N_IN];
-    int16_t weight_0[N_HIDDEN * N_IN], weight_1[N_OUT * INT8_STRIDE];
-    int32_t multiplier[N_HIDDEN], shift[N_HIDDEN];
-    float logit_scale[N_OUT], logits[N_OUT];
+    int16_t weight[FW_GOLDEN_N_WEIGHT_0 + N_OUT * INT8_STRIDE];
+    float features[N_IN], logits[N_OUT];
     int16_t values[2 * N_IN];
 } whole_room;
 
 _Static_assert(N_IN % 4 == 0 && N_HIDDEN <= INT8_STRIDE, "rows must fit with their padding");
-_Static_assert(offsetof(whole_room, weight_1) % 4 == 0, "weights must be aligned to 4");
+_Static_assert(FW_GOLDEN_N_WEIGHT_0 % 4 == 0, "the second layer must be aligned to 4");
 
-static void fill(float values[], float value, size_t n) {
-    for (size_t i = 0; i < n; ++i) values[i] = value;
-}
-
-static void put_inputs(float features[N_IN], float mean[N_IN], float scale[N_IN]) {
-    memcpy(features, fw_golden_profile, sizeof fw_golden_profile);
-    fill(mean, MEAN, N_IN);
-    fill(scale, SCALE, N_IN);
-}
-
+/* Networks and softmax run on what should come before them: one fault is not told twice. */
 static bool check_real(real_room* room) {
-    put_inputs(room->features, room->mean, room->scale);
-    for (size_t i = 0; i < N_HIDDEN * N_IN; ++i) {
-        room->weight_0[i] = WEIGHT_SCALE * (float)fw_golden_weight_0[i];
+    memcpy(room->features, fw_golden_profile, sizeof room->features);
+    for (size_t i = 0; i < FW_GOLDEN_N_WEIGHTS; ++i) {
+        room->weight[i] = WEIGHT_SCALE * (float)fw_golden_weight[i];
     }
-    for (size_t i = 0; i < N_OUT * N_HIDDEN; ++i) {
-        room->weight_1[i] = WEIGHT_SCALE * (float)fw_golden_weight_1[i];
+    for (size_t i = 0; i < N_HIDDEN + N_OUT; ++i) {
+        room->bias[i] = WEIGHT_SCALE * (float)fw_golden_bias[i];
     }
-    for (size_t i = 0; i < N_HIDDEN; ++i) {
-        room->bias_0[i] = WEIGHT_SCALE * (float)fw_golden_bias_0[i];
-    }
-    for (size_t i = 0; i < N_OUT; ++i) room->bias_1[i] = WEIGHT_SCALE * (float)fw_golden_bias_1[i];
-    const fw_mlp mlp = {.n_layers = 2,
-                        .input_mean = room->mean,
-                        .input_scale = room->scale,
-                        .layer = {{N_IN, N_HIDDEN, room->weight_0, room->bias_0},
-                                  {N_HIDDEN, N_OUT, room->weight_1, room->bias_1}}};
+    const fw_mlp mlp = {
+        .n_layers = 2,
+        .input_mean = mean,
+        .input_scale = scale,
+        .layer = {{N_IN, N_HIDDEN, room->weight, room->bias},
+                  {N_HIDDEN, N_OUT, room->weight + FW_GOLDEN_N_WEIGHT_0, room->bias + N_HIDDEN}}};
     return fw_mlp_run(&mlp, room->features, room->values, sizeof room->values, room->logits,
                       NULL) == FW_OK &&
            same_bits(room->logits, fw_golden_logits, N_OUT);
 }
 
-/* Writes a weight row by row, with the padding of that width. */
-static void pad_rows(const int8_t weight[], size_t n_out, size_t n_in, fw_int_width width,
-                     int16_t room[]) {
-    const size_t stride = fw_int_stride(width, (uint16_t)n_in);
-    int8_t* const bytes = (int8_t*)room;
-    for (size_t o = 0; o < n_out; ++o) {
-        for (size_t i = 0; i < stride; ++i) {
-            const int8_t value = i < n_in ? weight[o * n_in + i] : 0;
-            if (width == FW_INT8) bytes[o * stride + i] = value;
-            if (width == FW_INT16) room[o * stride + i] = value;
+/* Writes the rows of both layers one behind the other, with the padding of that width. */
+static void pad_rows(fw_int_width width, int16_t room[]) {
+    const int8_t* weight = fw_golden_weight;
+    size_t at = 0;
+    for (size_t row = 0; row < N_HIDDEN + N_OUT; ++row) {
+        const size_t n_in = row < N_HIDDEN ? N_IN : N_HIDDEN;
+        const size_t stride = fw_int_stride(width, (uint16_t)n_in);
+        for (size_t i = 0; i < stride; ++i, ++at) {
+            const int8_t value = i < n_in ? *weight++ : 0;
+            if (width == FW_INT8) {
+                ((int8_t*)room)[at] = value;
+            } else {
+                room[at] = value;
+            }
         }
     }
 }
 
 static bool check_whole(whole_room* room, fw_int_width width, const uint32_t expected[]) {
-    put_inputs(room->features, room->mean, room->scale);
-    pad_rows(fw_golden_weight_0, N_HIDDEN, N_IN, width, room->weight_0);
-    pad_rows(fw_golden_weight_1, N_OUT, N_HIDDEN, width, room->weight_1);
-    for (size_t o = 0; o < N_HIDDEN; ++o) room->multiplier[o] = fw_golden_multiplier;
-    for (size_t o = 0; o < N_HIDDEN; ++o) room->shift[o] = FW_GOLDEN_SHIFT;
-    fill(room->logit_scale, LOGIT_SCALE, N_OUT);
+    memcpy(room->features, fw_golden_profile, sizeof room->features);
+    pad_rows(width, room->weight);
+    const size_t width_bytes = width == FW_INT8 ? sizeof(int8_t) : sizeof(int16_t);
+    const void* const weight_1 = (const int8_t*)room->weight + FW_GOLDEN_N_WEIGHT_0 * width_bytes;
     const fw_int_mlp mlp = {
         .width = width,
         .n_layers = 2,
-        .input_mean = room->mean,
-        .input_scale = room->scale,
+        .input_mean = mean,
+        .input_scale = scale,
         .input_levels = FW_GOLDEN_INPUT_LEVELS,
-        .layer = {
-            {N_IN, N_HIDDEN, room->weight_0, fw_golden_bias_0, room->multiplier, room->shift, NULL},
-            {N_HIDDEN, N_OUT, room->weight_1, fw_golden_bias_1, NULL, NULL, room->logit_scale}}};
+        .layer = {{N_IN, N_HIDDEN, room->weight, fw_golden_bias, fw_golden_multiplier, shift, NULL},
+                  {N_HIDDEN, N_OUT, weight_1, fw_golden_bias + N_HIDDEN, NULL, NULL, logit_scale}}};
     return fw_int_mlp_run(&mlp, room->features, room->values, sizeof room->values, room->logits,
                           NULL) == FW_OK &&
            same_bits(room->logits, expected, N_OUT);
 }
 
-static bool check_softmax(real_room* room) {
-    memcpy(room->logits, fw_golden_logits, sizeof room->logits);
-    return fw_softmax(room->logits, N_OUT, room->probabilities) == FW_OK &&
-           same_bits(room->probabilities, fw_golden_probabilities, N_OUT);
+static bool check_softmax(float logits[N_OUT]) {
+    memcpy(logits, fw_golden_logits, sizeof fw_golden_logits);
+    return fw_softmax(logits, N_OUT, logits) == FW_OK &&
+           same_bits(logits, fw_golden_probabilities, N_OUT);
 }
 
 /* One layer, whose sums pass below FLT_MIN and end there or above. */
 static bool check_subnormal(real_room* room) {
-    memcpy(room->weight_0, fw_golden_subnormal_weight, sizeof fw_golden_subnormal_weight);
+    memcpy(room->weight, fw_golden_subnormal_weight, sizeof fw_golden_subnormal_weight);
     memcpy(room->features, fw_golden_subnormal_in, sizeof fw_golden_subnormal_in);
-    fill(room->bias_0, 0.0f, FW_GOLDEN_N_SUBNORMAL);
+    memset(room->bias, 0, sizeof room->bias);
     const fw_mlp mlp = {
         .n_layers = 1,
-        .layer = {{FW_GOLDEN_N_SUBNORMAL, FW_GOLDEN_N_SUBNORMAL, room->weight_0, room->bias_0}}};
+        .layer = {{FW_GOLDEN_N_SUBNORMAL, FW_GOLDEN_N_SUBNORMAL, room->weight, room->bias}}};
     return fw_mlp_run(&mlp, room->features, room->values, sizeof room->values, room->logits,
                       NULL) == FW_OK &&
            same_bits(room->logits, fw_golden_subnormal_logits, FW_GOLDEN_N_SUBNORMAL);

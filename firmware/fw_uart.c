@@ -72,13 +72,12 @@ static bool is_probability(uint32_t bits) {
 }
 
 static bool answers_are_sound(const fw_uart_packet* packet) {
-    if (packet->n_classes == 0) return packet->label == 0;
     for (size_t c = 0; c < packet->n_classes; ++c) {
         uint32_t bits;
         memcpy(&bits, &packet->probabilities[c], sizeof bits);
         if (!is_probability(bits)) return false;
     }
-    return packet->label < packet->n_classes;
+    return packet->label == 0 || packet->label < packet->n_classes;
 }
 
 fw_status fw_uart_write(const fw_uart_packet* packet, uint8_t out[], size_t out_bytes) {

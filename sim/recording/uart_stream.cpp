@@ -39,7 +39,7 @@ void read_classification(Bytes payload, UartFrame& frame) {
     for (std::size_t i = 0; i < n; ++i) {
         const float p = f32_at(payload, 8 + 4 * i, "a classification");
         if (!(p >= 0.0f && p <= 1.0f)) fail_at(8 + 4 * i, "a probability that is none", "");
-        frame.probability.push_back(p);
+        frame.probability.push_back(p + 0.0f);  // -0 becomes 0
     }
 }
 
@@ -104,17 +104,25 @@ UartStream read_uart(Bytes bytes) {
     return stream;
 }
 
-std::string uart_packet(const UartFrame& frame) {
+bool is_writable(const UartFrame& frame) {
     constexpr std::size_t most = std::numeric_limits<std::uint16_t>::max();
-    SPECULA_EXPECT(frame.profile.size() <= most && frame.probability.size() <= most &&
-                   frame.class_type <= most);
-    const fw_uart_packet packet{.frame_number = frame.number,
-                                .time_cycles = 0,
-                                .profile = frame.profile.data(),
-                                .n_bins = static_cast<std::uint16_t>(frame.profile.size()),
-                                .probabilities = frame.probability.data(),
-                                .n_classes = static_cast<std::uint16_t>(frame.probability.size()),
-                                .label = static_cast<std::uint16_t>(frame.class_type)};
+    if (frame.profile.size() > most || frame.probability.size() > most) return false;
+    const auto n_bins = static_cast<std::uint16_t>(frame.profile.size());
+    const auto n_classes = static_cast<std::uint16_t>(frame.probability.size());
+    return fw_uart_size(n_bins, n_classes) <= FW_UART_MAX_BYTES &&
+           (n_classes == 0 || frame.class_type < n_classes);
+}
+
+std::string uart_packet(const UartFrame& frame) {
+    SPECULA_EXPECT(is_writable(frame));
+    const fw_uart_packet packet{
+        .frame_number = frame.number,
+        .time_cycles = 0,
+        .profile = frame.profile.data(),
+        .n_bins = static_cast<std::uint16_t>(frame.profile.size()),
+        .probabilities = frame.probability.data(),
+        .n_classes = static_cast<std::uint16_t>(frame.probability.size()),
+        .label = static_cast<std::uint16_t>(frame.probability.empty() ? 0 : frame.class_type)};
     std::vector<std::uint8_t> bytes(fw_uart_size(packet.n_bins, packet.n_classes));
     SPECULA_EXPECT(fw_uart_write(&packet, bytes.data(), bytes.size()) == FW_OK);
     return {bytes.begin(), bytes.end()};

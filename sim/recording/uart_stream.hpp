@@ -38,8 +38,12 @@ struct UartStream {
 /// Throws nothing: a stream without packets has no frames.
 UartStream read_uart(Bytes bytes);
 
+/// Whether the firmware could have written it: 64 KB at most, and a class of those it has.
+bool is_writable(const UartFrame& frame);
+
 /// A packet as the firmware writes it (fw_uart_write): TLV 302 where there is a profile, TLV 1031
-/// where there are probabilities. Counts and class up to 65535.
+/// where there are probabilities.
+/// @in  frame  is_writable
 std::string uart_packet(const UartFrame& frame);
 
 }  // namespace specula

@@ -45,9 +45,8 @@ std::vector<std::int16_t> rows_of_tone(double bin, double amplitude_lsb, std::si
 Model normalising_model(fw_integration integration) {
     Model model = whole_model();
     model.measurement->descriptor.integration = integration;
-    model.measurement->normalise = {true, true, true, 11.5f, 0.25f};
-    model.measurement->search_first = 4;
-    model.measurement->n_search = 24;
+    model.provenance = {
+        {"descriptor", "range_bins 6 12 blackman align 11.5 range 11.5 log 0.25 search 4 24"}};
     model.input_mean.assign(12, 3.0f);
     model.input_scale.assign(12, 0.5f);
     model.monitor->mean.assign(12, 3.0f);

@@ -117,7 +117,7 @@ Figure latency_figure(const LatencyStudy& study) {
                                      "hidden layers above the float32 points; 20 us dashed") +
                       canvas.axis_titles(area, "network and softmax at 160 MHz, estimated (us)",
                                          "macro-F1, nominal (%)") +
-                      legend_row(canvas, area.left + 10, area.bottom - 14, entries).commands +
+                      legend_row(canvas, area.left + 250, area.bottom - 14, entries).commands +
                       blocks + name_block(study, axis) + curves(axis),
             .csv = latency_csv(study),
             .width_in = canvas.width_in(),

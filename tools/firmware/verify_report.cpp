@@ -16,13 +16,13 @@ std::string shape_of(const Model& model) {
 
 std::string mismatch_row(const std::string& name, const VariantResult& result,
                          const Mismatches& found) {
-    return format("  {:<28}{:>8}{:>10}{:>9}{:>15}{:>9}{:>12}\n", name, result.n_frames,
+    return format("  {:<28}{:>8}{:>10}{:>9}{:>15}{:>10}{:>12}\n", name, result.n_frames,
                   found.features, found.logits, found.probabilities, found.rest, found.uart_bytes);
 }
 
 std::string comparison_table(const Verification& verification) {
     const std::string head =
-        format("  {:<28}{:>8}{:>10}{:>9}{:>15}{:>9}{:>12}\n", "", "frames", "features", "logits",
+        format("  {:<28}{:>8}{:>10}{:>9}{:>15}{:>10}{:>12}\n", "", "frames", "features", "logits",
                "probabilities", "the rest", "UART bytes");
     std::string text = "Mismatches, host build against emulated Cortex-M4F (bit for bit):\n" + head;
     for (const VariantResult& result : verification.variants)
@@ -37,11 +37,11 @@ std::string comparison_table(const Verification& verification) {
 
 std::string flag_table(const Verification& verification) {
     std::string text = format(
-        "Frames the firmware warned of:\n  {:<28}{:>8}{:>8}{:>10}{:>10}{:>10}{:>9}{:>12}\n", "",
+        "Frames the firmware warned of:\n  {:<28}{:>8}{:>9}{:>11}{:>11}{:>10}{:>9}{:>12}\n", "",
         "frames", "refused", "saturated", "dead rows", "cut bins", "clipped", "suspicious");
     for (const VariantResult& result : verification.variants) {
         const FrameFlags& flags = result.flags;
-        text += format("  {:<28}{:>8}{:>8}{:>10}{:>10}{:>10}{:>9}{:>12}\n", result.variant.name,
+        text += format("  {:<28}{:>8}{:>9}{:>11}{:>11}{:>10}{:>9}{:>12}\n", result.variant.name,
                        result.n_frames, flags.refused, flags.saturated, flags.dead, flags.cut_bins,
                        flags.clipped_inputs, flags.suspicious);
     }
@@ -67,13 +67,13 @@ std::string stage_table(const Verification& verification) {
         text += stage_row(format("network, {}", arithmetic),
                           verification.stages.at(arithmetic).at("network"));
     return text +
-           "  Instructions are counted by QEMU, on the first frame; branches of hwa_fft,\n"
-           "  mahalanobis and the networks depend on the data by a few in a thousand. Cycles and\n"
-           "  times are an ESTIMATE: the\n"
-           "  executed instructions, priced between the best and the worst case of Arm's "
-           "Cortex-M4\n"
-           "  manual, without wait states; never measured on the chip, which has no cycle "
-           "counter.\n"
+           "  Instructions are counted by QEMU, on the first frame; hwa_fft and the integer\n"
+           "  networks branch on the data, and take a few in a thousand more or less on others.\n"
+           "  Cycles and times are an ESTIMATE: the executed instructions, priced between the "
+           "best\n"
+           "  and the worst case of Arm's Cortex-M4 manual, without wait states; never measured "
+           "on\n"
+           "  the chip, which has no cycle counter.\n"
            "  hwa_fft is done by the accelerator on the chip and emulated on the processor here.\n";
 }
 

@@ -37,7 +37,8 @@ void check_files_differ(const ExportModelArguments& arguments) {
          {std::pair{"--blob", arguments.blob}, std::pair{"--c", arguments.c_source},
           std::pair{"--onnx", arguments.onnx}}) {
         if (file.empty()) continue;
-        const auto [found, is_new] = taken.emplace(std::filesystem::weakly_canonical(file), option);
+        const auto [found, is_new] = taken.emplace(
+            std::filesystem::weakly_canonical(std::filesystem::absolute(file)), option);
         if (!is_new)
             throw InputError(format("{} = {}: is the file of {} too; give each a file of its own",
                                     option, file.string(), found->second));

@@ -119,10 +119,10 @@ TEST_CASE("impossible probabilities make a packet unsound", "[recording]") {
 
 TEST_CASE("a packet comes back as it was, and is laid out as documented", "[recording]") {
     const UartFrame frame{
-        .number = 7, .profile = {1, 4294967295u, 0}, .class_type = 3, .probability = {0.25f, 0.1f}};
+        .number = 7, .profile = {1, 4294967295u, 0}, .class_type = 1, .probability = {0.25f, 0.1f}};
     const std::string bytes = uart_packet(frame);
     std::string answer;
-    append_number(answer, 3, 4);
+    append_number(answer, 1, 4);
     append_number(answer, 2, 4);
     for (const float p : frame.probability)
         append_number(answer, std::bit_cast<std::uint32_t>(p), 4);
@@ -131,8 +131,14 @@ TEST_CASE("a packet comes back as it was, and is laid out as documented", "[reco
     REQUIRE(stream.frames.size() == 1);
     CHECK(stream.frames[0].profile == frame.profile);
     CHECK(stream.frames[0].probability == frame.probability);
-    CHECK(stream.frames[0].class_type == 3);
+    CHECK(stream.frames[0].class_type == 1);
     CHECK(stream.frames[0].number == 7);
+    UartFrame beyond = frame;
+    beyond.class_type = 2;
+    CHECK_FALSE(is_writable(beyond));
+    beyond = frame;
+    beyond.profile.resize(16373);
+    CHECK_FALSE(is_writable(beyond));
 }
 
 }  // namespace

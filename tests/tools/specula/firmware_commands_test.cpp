@@ -1,5 +1,8 @@
+#include <cstdlib>
+
 #include "classifier/measurement.hpp"
 #include "classifier/model_file.hpp"
+#include "scenes/catalogue.hpp"
 #include "sim/dataset/dataset.hpp"
 #include "tests/check.hpp"
 #include "tests/classifier/whole_model.hpp"
@@ -21,6 +24,8 @@ bool contains(const std::string& text, const std::string& part) {
 Model model_of_board() {
     const Catalogue catalogue = Catalogue::open(SPECULA_SOURCE_DIR);
     Model model = whole_model();
+    model.extractor = "range_bins";
+    model.provenance = {{"descriptor", "range_bins 6 12 blackman"}};
     model.measurement =
         measurement_of(catalogue.radar_called("iwrl6432boost"), model.measurement->descriptor);
     return model;
@@ -52,8 +57,10 @@ Ended run_runner(const std::filesystem::path& folder, std::vector<std::string> a
 TEST_CASE("an exported UART stream is the firmware's, byte for byte", "[program][firmware]") {
     const MadeUpFolder folder;
     Model model = model_of_board();
-    model.measurement->descriptor.window =
-        GENERATE(FW_WINDOW_BLACKMAN, FW_WINDOW_HANN, FW_WINDOW_RECT);
+    const auto [window, word] = GENERATE(table<fw_window, std::string>(
+        {{FW_WINDOW_BLACKMAN, "blackman"}, {FW_WINDOW_HANN, "hann"}, {FW_WINDOW_RECT, "rect"}}));
+    model.measurement->descriptor.window = window;
+    model.provenance = {{"descriptor", "range_bins 6 12 " + word}};
     write_model(model, folder / "m.json");
     three_frames(folder.path());
     const auto run = [&](const std::vector<std::string>& arguments) {
