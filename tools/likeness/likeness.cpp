@@ -29,16 +29,22 @@ std::vector<double> board_chirp(const Radar& radar, const BeatSignal& leakage, i
     return chirp;
 }
 
+/// The chirp that shows the room.
+std::vector<double> room_chirp(const ChirpSeries& series, int rx) {
+    const std::int16_t* codes = series.chirp(series.n_chirps() / 2, rx);
+    return {codes, codes + series.n_samples};
+}
+
 /// The room's tones: what one chirp holds besides the board's.
 std::vector<FittedTone> room_of(const ChirpSeries& series, const Radar& radar, int rx) {
     const auto leakage = dechirp(leakage_channel(radar, {}), radar.chirp);
-    const std::int16_t* codes = series.chirp(series.n_chirps() / 2, rx);
+    const std::vector<double> codes = room_chirp(series, rx);
     std::vector<double> rest = board_chirp(radar, leakage, rx);
     for (std::size_t n = 0; n < rest.size(); ++n) rest[n] = codes[n] - rest[n];
     return ChirpFit(radar)
         .fit(rest, {.nearest_m = CalibrationSettings{}.leakage_reach_m,
                     .farthest_m = radar.chirp.max_range_m(),
-                    .most_tones = 32,
+                    .most_tones = 96,
                     .least_share = 1e-7,
                     .noise_lsb = 1.0})
         .tones;
@@ -143,6 +149,7 @@ Likeness compare_with_recording(const ChirpSeries& recording, const Radar& radar
     std::vector<Portrait> real, made;
     for (int rx = 0; rx < recording.n_rx; ++rx) {
         real.push_back(portrait_of(judged, radar, rx));
+        real.back().room_chirp = amplitude_spectrum_lsb(room_chirp(first, rx));
         made.push_back(portrait_of(simulated, radar, rx));
         likeness.curves.push_back(curves_of(real.back(), made.back()));
         if (done != nullptr) ++*done;

@@ -42,11 +42,6 @@ double span(const Portrait& p) {
     return percentile(p, 95) - percentile(p, 5);
 }
 
-/// How much more single chirps hold in a band than their mean: 1 where nothing moves.
-double motion(const Portrait& p, std::size_t first, std::size_t end) {
-    return root_mean_square(p.mean_spectrum, first, end) / root_mean_square(p.leakage, first, end);
-}
-
 /// Why a number may differ, and whether the chirps show that it is so.
 struct Cause {
     const char* text;
@@ -148,11 +143,11 @@ void add_spectrum(RowWriter& writer, const Pair& pair, const Radar& radar) {
         const std::size_t first = starts[i];
         const std::size_t end = i + 1 < std::size(starts) ? std::min(starts[i + 1], last) : last;
         const Cause moving{
-            "The recorded scene moves, so that its chirps hold more than their mean; the simulated "
-            "room stands still as it was in one chirp.",
-            [&pair, first, end](double, double) {
-                return motion(pair.recorded, first, end) >
-                       (1.0 + alike) * motion(pair.simulated, first, end);
+            "The recorded scene moves: the simulated room stands still as it was in one chirp, and "
+            "holds what that chirp does.",
+            [&pair, first, end](double, double simulated) {
+                const double then = geometric_mean(pair.recorded.room_chirp, first, end);
+                return std::abs(simulated - then) <= alike * then;
             }};
         writer.add(format("spectrum, bins {} to {}, mean of dB", first, end - 1), "LSB", moving,
                    [=](const Portrait& p) { return geometric_mean(p.mean_spectrum, first, end); });

@@ -14,6 +14,7 @@ struct Portrait {
     std::vector<double> leakage;        ///< (bin), amplitude of the mean chirp, LSB
     std::vector<double> noise;          ///< (bin), rms per sample, LSB
     std::vector<double> codes;          ///< all, ascending
+    std::vector<double> room_chirp;     ///< (bin), amplitude of the chirp that the room is taken from
 };
 
 /// One number of the recording beside that of the simulation.

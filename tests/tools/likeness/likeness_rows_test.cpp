@@ -13,6 +13,7 @@ Portrait quiet() {
     p.mean_chirp.assign(128, 100.0);
     p.mean_spectrum.assign(64, 100.0);
     p.leakage.assign(64, 100.0);
+    p.room_chirp.assign(64, 100.0);
     p.noise.assign(64, 1.0);
     for (int code = -500; code < 500; ++code) p.codes.push_back(code);
     return p;
@@ -45,12 +46,12 @@ TEST_CASE("a receiver is like itself in every row", "[likeness]") {
 TEST_CASE("a difference without its cause in the chirps stays unexplained", "[likeness]") {
     Portrait loud = quiet();
     for (double& bin : loud.mean_spectrum) bin *= 3.0;
-    for (double& bin : loud.leakage) bin *= 3.0;
+    loud.room_chirp = loud.mean_spectrum;
     const std::string band = "spectrum, bins 15 to 30, mean of dB";
-    // Three times the level in the mean chirp too: nothing moves, so motion is no reason.
+    // The chirp that the room was taken from was as loud: the room is taken badly.
     CHECK_FALSE(row_called(band, loud, quiet()).is_alike());
     CHECK(row_called(band, loud, quiet()).reason.empty());
-    loud.leakage = quiet().leakage;  // now the chirps hold more than their mean
+    loud.room_chirp = quiet().room_chirp;  // it was not: the room has changed
     CHECK(row_called(band, loud, quiet()).reason.find("moves") != std::string::npos);
 }
 
@@ -75,6 +76,7 @@ TEST_CASE("bands end where the chirp does", "[likeness]") {
     Portrait small = quiet();
     small.mean_spectrum.resize(32);
     small.leakage.resize(32);
+    small.room_chirp.resize(32);
     Radar radar = board();
     radar.chirp.n_samples = 64;
     const auto rows = likeness_rows({small}, {small}, radar);
