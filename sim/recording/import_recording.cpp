@@ -187,10 +187,11 @@ void import_infineon(const fs::path& input, const RecordingManifest& manifest, D
     if (manifest.bin_m == 0.0) draft.dataset.origin.bin_m = config.bin_m();
 }
 
-void import_uart(const fs::path& input, const RecordingManifest&, Draft& draft) {
+void import_uart(const fs::path& input, const RecordingManifest& manifest, Draft& draft) {
     const std::string content = read_file(input);
     draft.notes = take_uart(read_uart(bytes_in(content)), draft.dataset);
-    draft.columns["frame"] = frame_numbers(draft.dataset);
+    // A sensor counts on from session to session; where a manifest parts them, each begins at 0.
+    if (manifest.parts.empty()) draft.columns["frame"] = frame_numbers(draft.dataset);
 }
 
 void import_csv(const fs::path& input, const RecordingManifest& manifest, Draft& draft) {

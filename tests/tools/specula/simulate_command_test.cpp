@@ -58,7 +58,7 @@ TEST_CASE("a scene is never overwritten by its own dataset", "[program][simulate
     const Ended ended = specula_in(folder.path(), {"simulate", "x.toml", "-o", "./x.toml"});
     CHECK(ended.status == 2);
     CHECK(ended.errors ==
-          "specula: error: ./x.toml: is the scene itself; give --out another name\n");
+          "specula: error: ./x.toml: is an input of this command; give --out another name\n");
     const bool kept = content_of(folder / "x.toml") == content_of(plate);
     CHECK(kept);
 }
@@ -67,12 +67,18 @@ TEST_CASE("a dataset that cannot be written is named, and no draft stays", "[pro
     const MadeUpFolder folder;
     folder.with("file", "kept");
     std::filesystem::create_directory(folder / "taken");
-    for (const auto& [out, beginning] : {std::pair{"file/x.h5", "file/x.h5: cannot create: "},
-                                         {"none/x.h5", "none/x.h5: cannot create: "},
-                                         {"/proc/x.h5", "/proc/x.h5: cannot create: "},
-                                         {"taken", "taken: cannot replace: Is a directory"}}) {
+    struct Bad {
+        const char* out;
+        int status;
+        const char* beginning;
+    };
+    for (const auto& [out, status, beginning] :
+         {Bad{"file/x.h5", 1, "file: cannot create: "},
+          Bad{"/proc/none/x.h5", 1, "/proc/none: cannot create: "},
+          Bad{"/proc/x.h5", 1, "/proc/x.h5: cannot create: "},
+          Bad{"taken", 2, "taken: is there, and is no file; give another name"}}) {
         const Ended ended = specula_in(folder.path(), {"simulate", plate, "--out", out});
-        CHECK(ended.status == 1);
+        CHECK(ended.status == status);
         CHECK(ended.errors.rfind(std::string("specula: error: ") + beginning, 0) == 0);
         CHECK(ended.errors.find('\n') == ended.errors.size() - 1);
     }
