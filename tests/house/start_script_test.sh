@@ -85,7 +85,7 @@ check "tests need Catch2 too" says err " catch2"
 unset SPECULA_NO_APT
 
 start list
-check "it tells how many packages it installs" says err "installing 13 packages"
+check "it tells how many packages it installs" says err "installing 17 packages"
 check "apt-get is asked for them, without questions" \
     grep -q "^noninteractive apt-get install -y --no-install-recommends .*cmake" "$folder/apt"
 check "when apt-get fails, so does it" [ "$status" -eq 1 ]
