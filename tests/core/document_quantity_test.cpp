@@ -225,7 +225,7 @@ TEST_CASE("a log-normal law is a factor by another name, a choice holds values i
     CHECK(std::get<Distribution::Choice>(law("{ choice = [3, 4] }").law()).values ==
           std::vector<double>{0.003, 0.004});
     CHECK(law_error("{ log_normal = [5, -1] }") ==
-          "x.toml:1: d_mm.log_normal[1] = -1: is out of range; give a value at least 0");
+          "x.toml:1: d_mm.log_normal = [5, -1]: is out of range; give a value at least 0");
     CHECK(law_error("{ log_normal = [0, 1] }").find("a median above 0 mm") != std::string::npos);
     CHECK(law_error("{ choice = [3, 4000] }").rfind("x.toml:1: d_mm.choice", 0) == 0);
     CHECK(law_error("{ choice = [] }").find("is not a list of the right length") !=
