@@ -81,6 +81,7 @@ void train_command(const TrainArguments& arguments, const Catalogue& catalogue) 
     try {
         const Learning& learning = arguments.learning;
         const Descriptor descriptor = chosen_descriptor(learning, dataset);
+        const auto measurement = measurement_for(arguments, dataset, descriptor, catalogue);
         SessionSplit split{.training = described(dataset, descriptor, learning.threads),
                            .held_out = {}};
         const bool holds_out = !arguments.holdout.empty();
@@ -97,7 +98,7 @@ void train_command(const TrainArguments& arguments, const Catalogue& catalogue) 
                                           format("{}", split.held_out.size()));
         model.provenance.emplace_back("descriptor", descriptor.text());
         model.provenance.emplace_back("dataset", fingerprint(dataset));
-        model.measurement = measurement_for(arguments, dataset, descriptor, catalogue);
+        model.measurement = measurement;
         write_model(model, arguments.out);
         std::printf("%zu frames of %zu classes, descriptor %s\n", split.training.size(),
                     dataset.class_names.size(), descriptor.text().c_str());

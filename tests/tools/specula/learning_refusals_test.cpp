@@ -1,0 +1,84 @@
+#include "tests/check.hpp"
+#include "tests/tools/specula/learning_folder.hpp"
+
+// What train, evaluate and predict refuse, and how they say so.
+
+namespace specula {
+namespace {
+
+TEST_CASE("data that nothing can be learnt from are refused in one line", "[program][learning]") {
+    const LearningFolder folder;
+    Dataset single = made_up_classes({});
+    for (Truth& truth : single.truth) truth.label = 1;
+    write_dataset(folder / "single.h5", single);
+    Dataset constant = made_up_classes({});
+    constant.features.assign(constant.features.size(), 1.5);
+    write_dataset(folder / "constant.h5", constant);
+    Dataset ungrouped = made_up_classes({});
+    for (Truth& truth : ungrouped.truth) truth.session = 0;
+    write_dataset(folder / "ungrouped.h5", ungrouped);
+    write_dataset(folder / "few.h5", made_up_classes({.n_sessions = 1}));
+    Dataset large = made_up_classes({});
+    large.features[7] = 1e300;
+    write_dataset(folder / "large.h5", large);
+    const auto train = [&](const std::string& data, const Arguments& more = {}) {
+        return folder.refusal(joined({"train", data, "-o", "m.json"}, more));
+    };
+    CHECK(train("single.h5") ==
+          "single.h5: training set: all rows are of class \"iron\"; give examples of two or more "
+          "classes");
+    CHECK(train("constant.h5") ==
+          "constant.h5: features: every one has the same value in all rows; choose other bins, or "
+          "look at the recording");
+    CHECK(train("large.h5") ==
+          "large.h5: features: some are too large for a float; scale them down");
+    CHECK(train("few.h5", {"--holdout", "session"}) ==
+          "few.h5: sessions: class \"glass\" has 1 of them, too few to hold one out; record more, "
+          "or train without holding out");
+    CHECK(train("few.h5", {"--patience", "5"}).rfind("few.h5: sessions: class \"glass\"", 0) == 0);
+    CHECK(train("ungrouped.h5", {"--holdout", "session"})
+              .rfind("ungrouped.h5: sessions: class \"glass\" has 1 of them", 0) == 0);
+    CHECK(folder.refusal({"evaluate", "ungrouped.h5", "--leave-out", "session"}) ==
+          "ungrouped.h5: there is only one group to leave out; record more than one");
+    CHECK(train("a.h5", {"--mixup", "7"}) ==
+          "a.h5: mixup = 7: is out of range; use 0, or 0.05 to 1");
+    CHECK(train("a.h5", {"--descriptor", "range_bins 6 12 blackman"})
+              .rfind("a.h5: range_bins: does not fit such frames", 0) == 0);
+    CHECK(train("a.h5", {"--descriptor", "bins"}).rfind("a.h5: descriptor = \"bins\": ", 0) == 0);
+}
+
+TEST_CASE("data that do not fit a model are refused in one line", "[program][learning]") {
+    const LearningFolder folder;
+    folder.run(joined({"train", "a.h5", "-o", "m.json"}, quick_training));
+    Dataset renamed = made_up_classes({});
+    renamed.class_names = {"glass", "steel", "wood"};
+    write_dataset(folder / "renamed.h5", renamed);
+    Dataset fewer = made_up_classes({});
+    fewer.feature_names = {"x"};
+    fewer.features.resize(fewer.n_frames());
+    write_dataset(folder / "fewer.h5", fewer);
+    CHECK(folder.refusal({"evaluate", "m.json", "renamed.h5"}) ==
+          "renamed.h5: class_names: are not those of m.json; use data of the same classes in the "
+          "same order");
+    CHECK(folder.refusal({"evaluate", "m.json", "b.h5", "--nominal", "renamed.h5"})
+              .rfind("renamed.h5: class_names: are not those of m.json", 0) == 0);
+    const std::string too_few = "fewer.h5: bins 0:2: there are 1 features; choose among them";
+    CHECK(folder.refusal({"evaluate", "m.json", "fewer.h5"}) == too_few);
+    CHECK(folder.refusal({"predict", "m.json", "fewer.h5", "-o", "x.csv"}) == too_few);
+    CHECK(folder.refusal({"predict", "m.json", "b.h5", "-o", "x.txt"}) ==
+          "--out = x.txt: its name does not tell its form; end it in .csv or .json");
+    CHECK(folder.refusal({"evaluate", "m.json", "b.h5", "--merge", "steel"}) ==
+          "--merge: \"steel\" is no class of the data; use \"glass\", \"iron\" or \"wood\"");
+    CHECK(folder.refusal({"train", "a.h5", "-o", "a.h5"}) ==
+          "a.h5: is an input of this command; give --out another name");
+    CHECK(folder.refusal({"predict", "m.json", "b.h5", "-o", "m.json"}).rfind("m.json: is an", 0) ==
+          0);
+    CHECK(
+        folder.refusal({"evaluate", "m.json", "b.h5", "--json", "b.h5"}).rfind("b.h5: is an", 0) ==
+        0);
+    CHECK(folder.refusal({"evaluate", "a.h5", "--leave-out", "frame", "--json", "x.json"}) ==
+          "--json, --figure, --merge and --nominal go with a model, not with --leave-out");
+}
+
+}  // namespace
+}  // namespace specula
