@@ -43,7 +43,7 @@ double probability_of(double distance, std::size_t n_a, std::size_t n_b) {
 }  // namespace
 
 double SameLaws::corrected_p() const {
-    return std::min(1.0, smallest_p * static_cast<double>(n_tests));
+    return std::min(1.0, smallest_p * static_cast<double>(std::max<std::size_t>(1, n_tests)));
 }
 
 SameLaws compare_nuisance(const std::vector<Truth>& truth, std::size_t n_classes) {

@@ -107,7 +107,9 @@ TEST_CASE("what a study writes is what it recorded, trained and judged", "[study
             CHECK(dataset.origin.radar == "iwrl6432boost");
             CHECK(results["fingerprints"][name + ".h5"] == fingerprint(dataset));
         }
-        CHECK(results["fingerprints"].size() == 3);
+        CHECK(results["fingerprints"]["calibration.json"] ==
+              results["calibration"]["frozen_file_hash"]);
+        CHECK(results["fingerprints"].size() == 4);
     }
     SECTION("results count every frame once and agree with their own confusion") {
         const Json results = toy().results();
