@@ -1,5 +1,6 @@
 # The page's files become part of the program: what is not in this list does not exist for the server.
-# The assembler takes them as they are (.incbin), which takes no time to compile.
+# The assembler takes them as they are (.incbin), which takes no time to compile. The hash of each stands in
+# the source, since caches of compilers look at that alone.
 
 find_file(THREE_MODULE three.module.js PATHS /usr/share/javascript/three REQUIRED)   # libjs-three
 get_filename_component(three_folder ${THREE_MODULE} DIRECTORY)
@@ -32,8 +33,9 @@ set(index 0)
 while(page_rows)
     list(POP_FRONT page_rows url file)
     string(REGEX REPLACE "^.*[.]" "" extension ${url})
+    file(SHA256 ${file} hash)
     string(APPEND symbols
-           "asm(\".section .rodata\\n.global page_${index}\\npage_${index}:\\n.incbin \\\"${file}\\\"\\n\"\n"
+           "asm(\".section .rodata\\n.global page_${index}\\npage_${index}: /* ${hash} */\\n.incbin \\\"${file}\\\"\\n\"\n"
            "    \".global page_${index}_end\\npage_${index}_end:\\n.byte 0\\n.previous\\n\");\n")
     string(APPEND declared "extern \"C\" const char page_${index}[], page_${index}_end[];\n")
     string(APPEND table
@@ -65,6 +67,7 @@ std::span<const PageFile> page_files() {
 }  // namespace specula
 ]=])
 set_source_files_properties(${generated} PROPERTIES OBJECT_DEPENDS "${used_files}")
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${used_files})
 add_library(specula_page STATIC ${generated})
 target_link_libraries(specula_page PUBLIC specula_options)
 set_target_properties(specula_page PROPERTIES UNITY_BUILD OFF)

@@ -15,7 +15,7 @@ const std::vector<std::string> commands{"study",      "simulate",        "show",
                                         "evaluate",   "verify-firmware", "latency", "list",
                                         "completion", "calibrate",       "likeness", "predict",
                                         "diff",       "augment",         "bench",   "generate",
-                                        "merge"};
+                                        "merge",      "serve"};
 
 bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;

@@ -2,6 +2,7 @@
 // which takes a fraction of a millisecond for some hundred points.
 
 const NS = 'http://www.w3.org/2000/svg';
+const REST_MS = 250;
 const MARGIN = { left: 52, right: 12, top: 10, bottom: 38 };
 
 /** An SVG element with attributes, and text if any. */
@@ -90,12 +91,14 @@ export class Plot {
   }
 
   /**
-   * Draws where somebody sees it, else when somebody will.
+   * Draws where somebody sees it, else when the hand rests.
    * @param picture x, y: ranges; marks: functions of the plot that each return SVG elements
    */
   draw(picture) {
     this.last = picture;
+    clearTimeout(this.timer);
     if (this.isSeen) this.drawNow();
+    else this.timer = setTimeout(() => this.drawNow(), REST_MS);
   }
 
   drawNow() {
