@@ -95,6 +95,8 @@ std::optional<CoefficientTable> coefficient_table(const Event& event, const Refl
                                                   ChebyshevGrid cosine,
                                                   ChebyshevGrid frequency_hz) {
     cosine.n = frequency_hz.n = tried_first;
+    // Once the end of a series shows, how many it takes is known.
+    const auto next_of = [](int needed, int n) { return needed < n ? needed * 4 / 3 + 2 : 2 * n; };
     // Where a series is cut too short, its rest folds onto all its terms, the last ones included.
     const auto is_enough = [](int needed, int n) { return needed <= n * 3 / 4; };
     while (cosine.n <= most_polynomials && frequency_hz.n <= most_over_frequency) {
@@ -103,8 +105,9 @@ std::optional<CoefficientTable> coefficient_table(const Event& event, const Refl
         const bool enough =
             is_enough(needed.cosine, cosine.n) && is_enough(needed.frequency, frequency_hz.n);
         if (enough) return cut(table, needed);
-        if (!is_enough(needed.cosine, cosine.n)) cosine.n *= 2;
-        if (!is_enough(needed.frequency, frequency_hz.n)) frequency_hz.n *= 2;
+        if (!is_enough(needed.cosine, cosine.n)) cosine.n = next_of(needed.cosine, cosine.n);
+        if (!is_enough(needed.frequency, frequency_hz.n))
+            frequency_hz.n = next_of(needed.frequency, frequency_hz.n);
     }
     return std::nullopt;
 }
