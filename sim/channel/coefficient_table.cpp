@@ -8,6 +8,8 @@ namespace specula {
 namespace {
 
 constexpr int tried_first = 6;
+/// A double series leaves out many more terms than one over the cosine alone.
+constexpr double negligible_term = 0.1 * negligible_coefficient;
 constexpr int most_over_frequency = most_polynomials / 3;
 
 /// All coefficients at n_p cosines and n_k frequencies, as a double series.
@@ -40,7 +42,7 @@ CoefficientTable sampled(const Event& event, const Reflector& reflector,
     return table;
 }
 
-/// How many polynomials of each kind carry all that is above `negligible_coefficient`.
+/// How many polynomials of each kind carry all that is above `negligible_term`.
 struct Needed {
     int cosine = 1;
     int frequency = 1;
@@ -50,7 +52,7 @@ Needed needed_of(const CoefficientTable& table) {
     Needed needed;
     const auto n_k = static_cast<std::size_t>(table.frequency_hz.n);
     for (std::size_t i = 0; i < table.te.size(); ++i) {
-        if (std::abs(table.te[i]) + std::abs(table.tm[i]) <= negligible_coefficient) continue;
+        if (std::abs(table.te[i]) + std::abs(table.tm[i]) <= negligible_term) continue;
         needed.cosine = std::max(needed.cosine, static_cast<int>(i / n_k) + 1);
         needed.frequency = std::max(needed.frequency, static_cast<int>(i % n_k) + 1);
     }
@@ -93,6 +95,8 @@ std::optional<CoefficientTable> coefficient_table(const Event& event, const Refl
                                                   ChebyshevGrid cosine,
                                                   ChebyshevGrid frequency_hz) {
     cosine.n = frequency_hz.n = tried_first;
+    // Once the end of a series shows, how many it takes is known.
+    const auto next_of = [](int needed, int n) { return needed < n ? needed * 4 / 3 + 2 : 2 * n; };
     // Where a series is cut too short, its rest folds onto all its terms, the last ones included.
     const auto is_enough = [](int needed, int n) { return needed <= n * 3 / 4; };
     while (cosine.n <= most_polynomials && frequency_hz.n <= most_over_frequency) {
@@ -101,8 +105,9 @@ std::optional<CoefficientTable> coefficient_table(const Event& event, const Refl
         const bool enough =
             is_enough(needed.cosine, cosine.n) && is_enough(needed.frequency, frequency_hz.n);
         if (enough) return cut(table, needed);
-        if (!is_enough(needed.cosine, cosine.n)) cosine.n *= 2;
-        if (!is_enough(needed.frequency, frequency_hz.n)) frequency_hz.n *= 2;
+        if (!is_enough(needed.cosine, cosine.n)) cosine.n = next_of(needed.cosine, cosine.n);
+        if (!is_enough(needed.frequency, frequency_hz.n))
+            frequency_hz.n = next_of(needed.frequency, frequency_hz.n);
     }
     return std::nullopt;
 }

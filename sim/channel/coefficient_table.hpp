@@ -18,7 +18,7 @@ struct CoefficientTable {
     AngularSeries at(std::span<const double> frequencies_hz) const;
 };
 
-/// As many terms as leave out nothing above 1e-8; nothing where that takes more than
+/// As many terms as leave out nothing above 1e-9; nothing where that takes more than
 /// `most_polynomials` of the cosine or a third as many of the frequency.
 /// @in  cosine, frequency_hz  intervals; their n is not looked at
 std::optional<CoefficientTable> coefficient_table(const Event& event, const Reflector& reflector,

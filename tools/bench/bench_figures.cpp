@@ -15,7 +15,7 @@ constexpr double row_px = 26.0;
 Figure stages_figure(const BenchReport& report) {
     const auto n = static_cast<double>(report.stages.size());
     const Canvas canvas{.width_px = 640, .height_px = 120 + row_px * n};
-    const PixelBox area{.left = 150, .top = 60, .right = 620, .bottom = 60 + row_px * n};
+    const PixelBox area{.left = 150, .top = 60, .right = 600, .bottom = 60 + row_px * n};
     CsvTable table({"stage", "per", "cpu_us"});
     std::string block = "$stages << END\n", names;
     for (std::size_t i = 0; i < report.stages.size(); ++i) {

@@ -16,7 +16,7 @@ double wall_seconds();
 /// CPU seconds of the calling thread per call of `work`.
 ///
 /// Calls it in batches until about `budget_s` is spent, three batches at least, and takes the
-/// fastest: what disturbs a run only ever makes it slower. One call that takes longer is enough.
+/// fastest: what disturbs a run only ever makes it slower. Of longer ones, two do, and one of a second.
 /// @in  budget_s  > 0
 double seconds_per_call(double budget_s, const std::function<void()>& work);
 
