@@ -197,10 +197,8 @@ FrameSamples simulated(double height_m) {
     return samples;
 }
 
-/// A height, and how much of the peak a bin may be off.
 struct Moved {
-    double height_m;
-    double most;
+    double height_m, most;  ///< and how much of the peak a bin may be off
 };
 
 TEST_CASE("a chirp moved to another height agrees with one simulated there", "[augment][sim]") {
