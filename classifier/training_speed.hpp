@@ -9,7 +9,7 @@ struct TrainingWorkload {
     std::size_t n_rows = 4800;
     std::size_t n_features = 12;
     std::size_t n_classes = 5;
-    TrainOptions options{.hidden = {32, 16}, .epochs = 20, .batch_size = 128};
+    TrainOptions options{.hidden = {32, 16}, .epochs = 60, .batch_size = 128};
 };
 
 struct TrainingSpeed {

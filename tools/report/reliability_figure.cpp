@@ -57,6 +57,15 @@ std::string legends(const ReliabilityCurves& curves) {
                       .commands;
 }
 
+/// Above the legend, which has the foot of the canvas.
+std::string axis_below() {
+    return reliability_canvas.label({.text = "confidence (%)",
+                                     .x_px = 0.5 * (reliability_area.left + reliability_area.right),
+                                     .y_px = reliability_area.bottom + 44,
+                                     .align = "center",
+                                     .colour = soft_ink});
+}
+
 std::string plot(const ReliabilityCurves& curves) {
     const auto line = [](std::string_view block, std::size_t series) {
         return format(
@@ -105,10 +114,10 @@ Figure reliability_figure(const std::string& name, const std::string& title,
             .script = axes_style() + "set xrange [0:100]\nset yrange [0:100]\nset xtics 20\n" +
                       "set ytics 20\n" + reliability_canvas.frame(reliability_area) +
                       reliability_canvas.heading(reliability_area, title, second_line) +
-                      reliability_canvas.axis_titles(reliability_area, "confidence (%)",
-                                                     "right answers (%)") +
-                      legends(curves) + count_block(curves.raw) + curve_block("raw", curves.raw) +
-                      curve_block("scaled", curves.scaled) + plot(curves),
+                      reliability_canvas.axis_titles(reliability_area, "", "right answers (%)") +
+                      axis_below() + legends(curves) + count_block(curves.raw) +
+                      curve_block("raw", curves.raw) + curve_block("scaled", curves.scaled) +
+                      plot(curves),
             .csv = csv(curves),
             .width_in = reliability_canvas.width_in(),
             .height_in = reliability_canvas.height_in()};
