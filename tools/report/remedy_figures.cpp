@@ -39,7 +39,7 @@ StudyFigure ladder_gains(const StudySummary& study) {
         .title = "What each remedy gains",
         .second_line = "paired by worlds, 95\u00a0% interval; all classes",
         .axis_title = "change of macro-F1 against the paper's classifier (points)",
-        .range = {-30.0, 90.0},
+        .range = {-50.0, 90.0},
         .series = {},
         .rows = {},
         .reference = 0.0,
