@@ -26,6 +26,7 @@ const complaints = [];
 
 async function openPage(browser, address, options = {}) {
   const context = await browser.newContext({ viewport: { width: 1600, height: 1000 }, acceptDownloads: true, ...options });
+  context.setDefaultTimeout(120_000);  // on a machine that has much else to do
   const page = await context.newPage();
   page.on('console', (message) => ['error', 'warning'].includes(message.type()) && !message.text().includes('GPU stall') && complaints.push(message.text()));
   page.on('pageerror', (error) => complaints.push(String(error)));
