@@ -9,9 +9,9 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <random>
 
 #include "sim/core/error.hpp"
-#include "sim/core/random.hpp"
 #include "sim/dataset/dataset_reader.hpp"
 #include "sim/dataset/fingerprint.hpp"
 #include "sim/dataset/hdf5_file.hpp"
@@ -21,16 +21,23 @@ namespace {
 
 using Bytes = std::vector<char>;
 
+/// Numbers that are the same with every standard library.
+struct Draws {
+    std::mt19937_64 engine;
+    std::uint32_t bits() { return static_cast<std::uint32_t>(engine() >> 32); }
+    std::uint32_t below(std::uint32_t n) { return n == 0 ? 0 : bits() % n; }
+};
+
 Bytes read_bytes(const std::string& file) {
     std::ifstream in(file, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
 /// A place in the file: the first kilobytes, where the structure is dense, as often as all others.
-std::size_t place(const Bytes& bytes, Stream& stream) {
+std::size_t place(const Bytes& bytes, Draws& draws) {
     constexpr std::uint32_t dense = 4096;
     const auto size = static_cast<std::uint32_t>(bytes.size());
-    return stream.below(stream.bits() & 1 ? std::min(dense, size) : size);
+    return draws.below(draws.bits() & 1 ? std::min(dense, size) : size);
 }
 
 struct Mutant {
@@ -39,46 +46,46 @@ struct Mutant {
 };
 
 Mutant mutant_of(const Bytes& whole, std::uint32_t number) {
-    Stream stream({.seed = 6, .purpose = "mutant", .world = 0, .item = number});
+    Draws draws{std::mt19937_64(number)};
     Bytes bytes = whole;
     const auto some = [&](std::uint32_t most) {
-        return std::min<std::size_t>(1 + stream.below(most), bytes.size());
+        return std::min<std::size_t>(1 + draws.below(most), bytes.size());
     };
     switch (number % 8) {
         case 0: {
-            char& byte = bytes[place(bytes, stream)];
-            byte = static_cast<char>(byte ^ (1 << stream.below(8)));
+            char& byte = bytes[place(bytes, draws)];
+            byte = static_cast<char>(byte ^ (1 << draws.below(8)));
             return {"one bit", bytes};
         }
         case 1:
             for (std::size_t i = some(8); i-- > 0;)
-                bytes[place(bytes, stream)] = static_cast<char>(stream.bits());
+                bytes[place(bytes, draws)] = static_cast<char>(draws.bits());
             return {"some bytes", bytes};
         case 2:
-            bytes.resize(stream.below(static_cast<std::uint32_t>(bytes.size())));
+            bytes.resize(draws.below(static_cast<std::uint32_t>(bytes.size())));
             return {"cut short", bytes};
         case 3: {
-            const std::size_t at = place(bytes, stream), n = some(512);
+            const std::size_t at = place(bytes, draws), n = some(512);
             std::fill(bytes.begin() + static_cast<std::ptrdiff_t>(at),
                       bytes.begin() + static_cast<std::ptrdiff_t>(std::min(bytes.size(), at + n)),
-                      stream.bits() & 1 ? '\0' : '\xff');
+                      draws.bits() & 1 ? '\0' : '\xff');
             return {"a run of one value", bytes};
         }
         case 4: {
-            const std::size_t from = place(bytes, stream), to = place(bytes, stream);
+            const std::size_t from = place(bytes, draws), to = place(bytes, draws);
             const std::size_t n = std::min({some(256), bytes.size() - from, bytes.size() - to});
             std::copy_n(whole.begin() + static_cast<std::ptrdiff_t>(from), n,
                         bytes.begin() + static_cast<std::ptrdiff_t>(to));
             return {"a piece elsewhere", bytes};
         }
         case 5: {
-            const std::size_t at = place(bytes, stream);
+            const std::size_t at = place(bytes, draws);
             bytes.erase(bytes.begin() + static_cast<std::ptrdiff_t>(at));
             return {"a byte missing", bytes};
         }
         case 6: {
             for (std::size_t i = 0; i < 8; ++i) {
-                const std::size_t at = place(bytes, stream) / 8 * 8 + i;
+                const std::size_t at = place(bytes, draws) / 8 * 8 + i;
                 if (at < bytes.size()) bytes[at] = '\xff';
             }
             return {"huge numbers", bytes};
