@@ -124,8 +124,13 @@ int run(const std::string& seed, const std::string& folder, std::uint32_t count)
         std::ofstream(file, std::ios::binary | std::ios::trunc)
             .write(mutant.bytes.data(), static_cast<std::streamsize>(mutant.bytes.size()));
         try {
-            if (content_of(file) != right) {
-                std::printf("mutant %u (%s): read, with another content\n", number, mutant.kind);
+            if (const std::string content = content_of(file); content != right) {
+                const auto apart =
+                    std::mismatch(content.begin(), content.end(), right.begin(), right.end());
+                const auto at = static_cast<std::size_t>(apart.first - content.begin());
+                std::printf("mutant %u (%s): read, with another content: %.60s against %.60s\n",
+                            number, mutant.kind, content.substr(at > 20 ? at - 20 : 0).c_str(),
+                            right.substr(at > 20 ? at - 20 : 0).c_str());
                 return 1;
             }
             ++outcomes[mutant.kind]["unharmed"];
