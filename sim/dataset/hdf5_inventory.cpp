@@ -17,6 +17,7 @@ constexpr std::size_t most_objects = 10000;  ///< a dataset has some thirty
 struct Names {
     std::vector<std::string> all;
     std::string prefix;
+    std::string damaged;  ///< the first object that cannot be read
     hid_t file;
 };
 
@@ -27,7 +28,10 @@ void walk_group(Names& names, const std::string& group) {
     const std::string before = names.prefix;
     names.prefix = group == "/" ? "/" : group + "/";
     const Hdf5Handle id(H5Gopen2(names.file, group.c_str(), H5P_DEFAULT), H5Gclose);
-    if (id.valid()) H5Literate(id, H5_INDEX_NAME, H5_ITER_INC, nullptr, note_link, &names);
+    const bool is_whole =
+        id.valid() &&
+        H5Literate(id, H5_INDEX_NAME, H5_ITER_INC, nullptr, note_link, &names) >= 0;
+    if (!is_whole && names.damaged.empty()) names.damaged = group;
     names.prefix = before;
 }
 
@@ -37,7 +41,10 @@ herr_t note_link(hid_t, const char* name, const H5L_info_t* link, void* to) {
     if (link->type != H5L_TYPE_HARD || names.all.size() >= most_objects) return 0;
     const auto depth = std::count(path.begin(), path.end(), '/');
     H5O_info_t info;
-    if (H5Oget_info_by_name(names.file, path.c_str(), &info, H5P_DEFAULT) < 0) return 0;
+    if (H5Oget_info_by_name(names.file, path.c_str(), &info, H5P_DEFAULT) < 0) {
+        names.damaged = path;
+        return -1;
+    }
     if (info.type == H5O_TYPE_DATASET) names.all.push_back(path);
     if (info.type == H5O_TYPE_GROUP && depth < 8) walk_group(names, path);
     return 0;
@@ -46,8 +53,9 @@ herr_t note_link(hid_t, const char* name, const H5L_info_t* link, void* to) {
 }  // namespace
 
 std::vector<std::string> Hdf5File::tables() const {
-    Names names{.all = {}, .prefix = "", .file = handle_};
+    Names names{.all = {}, .prefix = "", .damaged = {}, .file = handle_};
     walk_group(names, "/");
+    if (!names.damaged.empty()) hdf5_read_failed(file_, names.damaged, "is damaged");
     return names.all;
 }
 
@@ -66,13 +74,14 @@ std::vector<std::string> Hdf5File::attributes(const std::string& object) const {
     std::vector<std::string> names;
     const Hdf5Handle id(H5Oopen(handle_, object.c_str(), H5P_DEFAULT), H5Oclose);
     if (!id.valid()) hdf5_read_failed(file_, object, "is missing");
-    H5Aiterate2(
+    const herr_t walked = H5Aiterate2(
         id, H5_INDEX_NAME, H5_ITER_INC, nullptr,
         [](hid_t, const char* name, const H5A_info_t*, void* to) -> herr_t {
             static_cast<std::vector<std::string>*>(to)->push_back(name);
             return 0;
         },
         &names);
+    if (walked < 0) hdf5_read_failed(file_, object, "has damaged attributes");
     return names;
 }
 
