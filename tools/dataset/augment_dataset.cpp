@@ -209,6 +209,9 @@ std::string augment_dataset(const std::filesystem::path& data, const std::filesy
     std::error_code ignored;
     if (std::filesystem::equivalent(data, out, ignored))
         throw InputError(out.string() + ": is the dataset itself; give --out another name");
+    // Somebody's recipe, a shard of the source, hours of work: none is told from an older output.
+    if (std::filesystem::exists(out, ignored))
+        throw InputError(out.string() + ": is there already; remove it or name another file");
     const CopyMaker maker(reader.form(), request);
     const Dataset form = form_after(reader.form(), request);
     const std::size_t n_steps = request.how.steps.size();

@@ -185,6 +185,10 @@ TEST_CASE("augment takes a recipe, features alone, and says what it cannot do",
     }
     CHECK(contains(bench.run({"augment", "a.h5", "-o", "a.h5", "--step", "gain=1"}).errors,
                    "a.h5: is the dataset itself"));
+    std::filesystem::copy_file(bench.folder / "a.h5", bench.folder / "taken.h5");
+    const Ended over = bench.run({"augment", "a.h5", "-o", "taken.h5", "--step", "gain=1"});
+    CHECK(over.status == 2);
+    CHECK(contains(over.errors, "taken.h5: is there already"));
 }
 
 TEST_CASE("export writes a datasheet and Croissant beside a dataset", "[program][documents]") {
