@@ -3,6 +3,7 @@
 #include "sim/core/error.hpp"
 #include "sim/dataset/dataset_reader.hpp"
 #include "sim/dataset/fingerprint.hpp"
+#include "sim/dataset/sha256.hpp"
 #include "tools/generate/generate.hpp"
 #include "tools/generate/shard_folder.hpp"
 
@@ -35,9 +36,21 @@ FinishedOutput::FinishedOutput(const fs::path& out)
       keeps_shards_(is_folder_output(out)) {}
 
 bool FinishedOutput::is_there(const std::string& recipe) const {
-    if (!fs::exists(file_)) return false;
+    if (!fs::exists(file_) || (keeps_shards_ && !shards_are_whole())) return false;
     check_same_recipe(file_, DatasetReader(file_).form().origin.recipe, recipe);
     return true;
+}
+
+bool FinishedOutput::shards_are_whole() const {
+    const ShardHashes told = read_manifests(shards_);
+    for (const auto& [shard, hash] : told) {
+        if (!fs::exists(shards_ / shard)) return false;
+        if (sha256_of_file(shards_ / shard) != hash)
+            throw InputError((shards_ / shard).string() +
+                             ": is damaged, its SHA-256 is not the manifest's; remove it, and the "
+                             "same command makes it again");
+    }
+    return !told.empty();
 }
 
 std::string FinishedOutput::fingerprint() const {

@@ -27,6 +27,10 @@ class FinishedOutput {
     void remove_leftovers() const;
 
   private:
+    /// Whether the manifest names shards and all of them are there. Throws InputError for one whose
+    /// content is not what the manifest tells.
+    bool shards_are_whole() const;
+
     std::filesystem::path file_;
     std::filesystem::path shards_;
     bool keeps_shards_;

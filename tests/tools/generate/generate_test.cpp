@@ -1,9 +1,12 @@
 #include "tools/generate/generate.hpp"
 
+#include <fstream>
+
 #include "sim/core/error.hpp"
 #include "sim/core/version.hpp"
 #include "sim/dataset/dataset_reader.hpp"
 #include "sim/dataset/fingerprint.hpp"
+#include "sim/dataset/sha256.hpp"
 #include "sim/generate.hpp"
 #include "tests/check.hpp"
 #include "tests/message_of.hpp"
@@ -138,6 +141,24 @@ TEST_CASE("a folder keeps its shards behind an index that reads as one dataset",
     CHECK(message_of([&] {
               return read_dataset(report.file);
           }).find("shows shard-000001.h5, which is not there") != std::string::npos);
+}
+
+TEST_CASE("a shard that a finished folder lost is made again, a damaged one is named", "[generate]") {
+    const TemporaryFolder folder;
+    const fs::path kept = folder / "kept", shard = kept / "shard-000001.h5";
+    fs::create_directory(kept);
+    const GenerateReport first = run(kept);
+    const std::string hash = sha256_of_file(shard);
+    fs::remove(shard);
+    fs::remove(kept / "manifest.sha256");
+    const GenerateReport again = run(kept);
+    CHECK(again.n_recorded > 0);
+    CHECK(again.n_recorded < first.n_recorded);
+    CHECK(again.fingerprint == first.fingerprint);
+    CHECK(sha256_of_file(shard) == hash);
+    std::fstream(shard, std::ios::in | std::ios::out).seekp(3000).put('X');
+    CHECK(message_of([&] { return run(kept).n_recorded; }).find("shard-000001.h5: is damaged") !=
+          std::string::npos);
 }
 
 TEST_CASE("profiles and features are what the firmware makes of the codes", "[generate]") {
