@@ -1,5 +1,9 @@
 #include "tools/generate/finished_output.hpp"
 
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+
 #include "sim/core/error.hpp"
 #include "sim/dataset/dataset_reader.hpp"
 #include "sim/dataset/fingerprint.hpp"
@@ -26,6 +30,18 @@ void remove_files(const fs::path& folder, const Wanted& wanted) {
 
 bool begins_with(const std::string& text, const std::string& beginning) {
     return text.rfind(beginning, 0) == 0;
+}
+
+/// A draft `NAME.draft-PID-N` of a document that a killed process left; one of a living process is
+/// still being written.
+bool is_abandoned_document(const std::string& name) {
+    for (const std::string document : {"DATASHEET.md", "croissant.json"}) {
+        const std::string mark = document + ".draft-";
+        if (!begins_with(name, mark)) continue;
+        const int process = std::atoi(name.c_str() + mark.size());
+        return process > 0 && ::kill(process, 0) == -1 && errno == ESRCH;
+    }
+    return false;
 }
 
 }  // namespace
@@ -79,6 +95,8 @@ void FinishedOutput::remove_drafts(const Share& share) const {
 
 void FinishedOutput::remove_leftovers() const {
     std::error_code ignored;
+    remove_files(file_.has_parent_path() ? file_.parent_path() : fs::path("."),
+                 is_abandoned_document);
     if (!keeps_shards_) {
         fs::remove_all(shards_, ignored);
         return;
