@@ -33,7 +33,7 @@ TargetBuild build_for_target(const fs::path& home, const fs::path& folder) {
     output_of({{"cmake", "--build", folder.string(), "--target", "fw_runner"}, {}, "cmake"});
     return {.program = folder / "fw_runner.elf",
             .map = folder / "fw_runner.map",
-            .library = folder / "libspecula_firmware.a",
+            .archive = folder / "libspecula_firmware.a",
             .folder = folder};
 }
 

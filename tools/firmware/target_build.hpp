@@ -11,7 +11,7 @@ namespace specula {
 struct TargetBuild {
     std::filesystem::path program;
     std::filesystem::path map;
-    std::filesystem::path library;  ///< libspecula_firmware.a
+    std::filesystem::path archive;  ///< libspecula_firmware.a
     std::filesystem::path folder;   ///< holds the compiler's .ci files, somewhere below
 };
 

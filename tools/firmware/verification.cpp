@@ -234,7 +234,7 @@ Verification verify_firmware(const VerifyInput& input, const Workplace& place) {
     const fs::path library = build.folder / "CMakeFiles/specula_firmware.dir";
     verification.stacks = public_stacks(library);
     verification.foreign = foreign_symbols(
-        output_of({{"arm-none-eabi-nm", build.library.string()}, {}, "binutils-arm-none-eabi"}));
+        output_of({{"arm-none-eabi-nm", build.archive.string()}, {}, "binutils-arm-none-eabi"}));
     const std::vector<std::uint8_t> blob = blob_of(input.model, variants.front());
     fw_model model;
     SPECULA_EXPECT(fw_model_open(blob.data(), blob.size(), &model) == FW_OK);

@@ -98,7 +98,7 @@ struct HttpServer::Daemon {
     HttpRoutes routes;
     ConnectionWatch watch;
     std::unique_ptr<WorkQueue> work;
-    MHD_Daemon* library = nullptr;
+    MHD_Daemon* handle = nullptr;
 
     MHD_Result begin(MHD_Connection* connection, Exchange& exchange);
     MHD_Result take_body(Exchange& exchange, const char* data, std::size_t* size);
@@ -193,23 +193,23 @@ HttpServer::HttpServer(ListenSocket& socket, HttpRoutes routes, int work_threads
     daemon.routes = std::move(routes);
     daemon.work = std::make_unique<WorkQueue>(WorkQueue::Extent{work_threads, most_waiting});
     const int descriptor = socket.release();
-    daemon.library = MHD_start_daemon(
+    daemon.handle = MHD_start_daemon(
         MHD_USE_EPOLL_INTERNAL_THREAD | MHD_ALLOW_SUSPEND_RESUME, 0, nullptr, nullptr,
         &Daemon::on_request, &daemon, MHD_OPTION_LISTEN_SOCKET, descriptor,
         MHD_OPTION_CONNECTION_LIMIT, most_connections, MHD_OPTION_CONNECTION_MEMORY_LIMIT,
         most_header_bytes, MHD_OPTION_CONNECTION_TIMEOUT, idle_s, MHD_OPTION_STRICT_FOR_CLIENT, 1,
         MHD_OPTION_NOTIFY_COMPLETED, &Daemon::on_end, &daemon, MHD_OPTION_NOTIFY_CONNECTION,
         &Daemon::on_connection, &daemon, MHD_OPTION_END);
-    if (daemon.library == nullptr)
+    if (daemon.handle == nullptr)
         throw SystemError(
             "the web server: cannot start; are there enough file descriptors "
             "(ulimit -n)?");
 }
 
 HttpServer::~HttpServer() {
-    const int listening = MHD_quiesce_daemon(daemon_->library);
+    const int listening = MHD_quiesce_daemon(daemon_->handle);
     daemon_->work->finish();  // what is suspended must go on before the library may stop
-    MHD_stop_daemon(daemon_->library);
+    MHD_stop_daemon(daemon_->handle);
     if (listening >= 0) ::close(listening);
 }
 
