@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "materials/rough_face.hpp"
+#include "materials/stack_faces.hpp"
 #include "sim/core/constants.hpp"
 #include "sim/core/expect.hpp"
 
@@ -16,12 +16,16 @@ constexpr std::size_t n_waves = 4;
 constexpr int most_orders = 2000;
 constexpr double negligible = 1e-12;
 
-/// One wave of a face with heights: amplitude * exp(j rate height).
-struct ModulatedWave {
-    Complex amplitude;
-    double rate_rad_m = 0.0;
+/// Both polarisations.
+struct TeTm {
+    Complex te, tm;
 };
-using Waves = std::array<ModulatedWave, n_waves>;
+
+/// Waves of a face with heights: amplitude * exp(j rate height). Rates know no polarisation.
+struct ModulatedWaves {
+    std::array<TeTm, n_waves> amplitude{};
+    std::array<double, n_waves> rate_rad_m{};
+};
 
 /// A stack cut at one face, for one polarisation.
 struct Cut {
@@ -30,123 +34,108 @@ struct Cut {
     Complex transfer;    ///< change of the whole stack's reflection with that of this face
 };
 
-const Electrics& medium_above(const Stack& stack, int face) {
-    static const Electrics air;
-    return face > 0 ? stack.layers[static_cast<std::size_t>(face - 1)].medium : air;
+Cut cut_at(std::size_t number, const std::vector<FaceUnderWave>& faces,
+           Complex Reflection::*polarisation) {
+    Cut cut{.reflection = faces[number].reflection.*polarisation, .below = 0.0, .transfer = 1.0};
+    Complex below = 0.0;
+    for (std::size_t i = faces.size(); i-- > 0;) {
+        const Complex r = faces[i].reflection.*polarisation;
+        const FaceLoss& loss = faces[i].loss;
+        const Complex round = 1.0 + r * loss.reflect_below * below;
+        if (i == number) cut.below = below;
+        const Complex through = (1.0 - r * r) * loss.transmit_twice;
+        if (i < number) cut.transfer *= through / (round * round);
+        below = (r * loss.reflect_above + through * below / round);
+        if (i == 0) break;
+        const Complex twice = faces[i - 1].pass * faces[i - 1].pass;
+        below *= twice;
+        if (i <= number) cut.transfer *= twice;
+    }
+    return cut;
 }
 
-const Electrics* medium_below(const Stack& stack, int face) {
-    if (face < static_cast<int>(stack.layers.size()))
-        return &stack.layers[static_cast<std::size_t>(face)].medium;
-    const auto* half_space = std::get_if<HalfSpace>(&stack.backing);
-    return half_space ? &half_space->medium : nullptr;
+std::array<Complex, n_waves> amplitudes_of(const Cut& cut) {
+    std::array<Complex, n_waves> amplitudes{cut.transfer * cut.reflection};
+    Complex amplitude = cut.transfer * (1.0 - cut.reflection * cut.reflection) * cut.below;
+    for (std::size_t turns = 0; turns + 1 < n_waves; ++turns) {
+        amplitudes[turns + 1] = amplitude;
+        amplitude *= -cut.reflection * cut.below;
+    }
+    return amplitudes;
 }
 
-/// One face under a wave: coefficients and coherent losses.
-struct FaceHere {
-    Reflection r;
-    FaceLoss loss;
-};
+ModulatedWaves waves_at(std::size_t number, const std::vector<FaceUnderWave>& faces, double k) {
+    ModulatedWaves waves;
+    const auto te = amplitudes_of(cut_at(number, faces, &Reflection::te));
+    const auto tm = amplitudes_of(cut_at(number, faces, &Reflection::tm));
+    for (std::size_t w = 0; w < n_waves; ++w) waves.amplitude[w] = {te[w], tm[w]};
+    const double above = k * faces[number].q_above.real(), below = k * faces[number].q_below.real();
+    const double past = std::copysign(std::sqrt(2.0), above - below) * (above - below);
+    waves.rate_rad_m[0] = 2.0 * above;
+    for (std::size_t turns = 0; turns + 1 < n_waves; ++turns) {
+        const double rate = std::hypot(past, 2.0 * below * std::sqrt(double(turns)));
+        waves.rate_rad_m[turns + 1] = std::copysign(rate, above - below);
+    }
+    return waves;
+}
 
-class CutStack {
+/// Power over the orders so far, and what they have in common with the wave reflected by the face
+/// alone.
+class OrderSum {
   public:
-    CutStack(const Stack& stack, double cos_incidence)
-        : stack_(stack),
-          sin_squared_(1.0 - cos_incidence * cos_incidence),
-          k_(two_pi * stack.frequency_hz / speed_of_light_m_s) {}
-
-    Cut at(int face, Complex Reflection::*polarisation) const {
-        const int last = static_cast<int>(stack_.layers.size());
-        Cut cut{.reflection = here(face).r.*polarisation, .below = 0.0, .transfer = 1.0};
-        Complex below = 0.0;
-        for (int i = last; i >= 0; --i) {
-            const FaceHere f = here(i);
-            const Complex r = f.r.*polarisation;
-            const Complex round = 1.0 + r * f.loss.reflect_below * below;
-            if (i == face) cut.below = below;
-            const Complex through = (1.0 - r * r) * f.loss.transmit_twice;
-            if (i < face) cut.transfer *= through / (round * round);
-            below = (r * f.loss.reflect_above + through * below / round);
-            if (i > 0) below *= twice(i - 1);
-            if (i > 0 && i <= face) cut.transfer *= twice(i - 1);
-        }
-        return cut;
+    void add(Complex amplitude, double first_share, double of_order) {
+        const double term = std::norm(amplitude) * of_order;
+        power_ += term;
+        common_ += amplitude * first_share * of_order;
+        has_ended_ = term <= negligible * power_;
     }
+    bool has_ended() const { return has_ended_; }
 
-    Waves waves(int face, const Cut& cut) const {
-        const Electrics* under = medium_below(stack_, face);
-        const double above = wave(medium_above(stack_, face));
-        const double below = under ? wave(*under) : 0.0;
-        const double past = std::copysign(std::sqrt(2.0), above - below) * (above - below);
-        Waves waves{};
-        waves[0] = {cut.transfer * cut.reflection, 2.0 * above};
-        Complex amplitude = cut.transfer * (1.0 - cut.reflection * cut.reflection) * cut.below;
-        for (std::size_t turns = 0; turns + 1 < n_waves; ++turns) {
-            const double rate = std::hypot(past, 2.0 * below * std::sqrt(double(turns)));
-            waves[turns + 1] = {amplitude, std::copysign(rate, above - below)};
-            amplitude *= -cut.reflection * cut.below;
-        }
-        return waves;
-    }
-
-    /// Spectrum of all orders of the face's heights, with the phase of what it has in common with
-    /// the wave reflected by the face alone.
-    Complex spectrum(const StackFace& face, const Waves& waves) const {
-        const double across = std::pow(k_ * face.correlation_m, 2) * sin_squared_;  // (K l / 2)^2
-        std::array<double, n_waves> share{}, phase{};
-        double largest = 0.0;
-        for (std::size_t w = 0; w < n_waves; ++w) {
-            phase[w] = waves[w].rate_rad_m * face.roughness_m;
-            share[w] = std::exp(-0.5 * phase[w] * phase[w]);
-            largest = std::max(largest, phase[w] * phase[w]);
-        }
-        double power = 0.0;
-        Complex common = 0.0;
-        for (int n = 1; n <= most_orders; ++n) {
-            Complex amplitude = 0.0;
-            for (std::size_t w = 0; w < n_waves; ++w) {
-                share[w] *= phase[w] / std::sqrt(double(n));
-                amplitude += waves[w].amplitude * share[w];
-            }
-            const double of_order =
-                pi * face.correlation_m * face.correlation_m / n * std::exp(-across / n);
-            const double term = std::norm(amplitude) * of_order;
-            power += term;
-            common += amplitude * share[0] * of_order;
-            if (n > largest + across && term <= negligible * power) break;
-        }
-        const double size = std::abs(common);
-        return size > 0.0 ? std::sqrt(power) / size * common : Complex(std::sqrt(power));
+    Complex value() const {
+        const double size = std::abs(common_);
+        return size > 0.0 ? std::sqrt(power_) / size * common_ : Complex(std::sqrt(power_));
     }
 
   private:
-    double wave(const Electrics& medium) const {
-        return k_ * longitudinal_wavenumber(medium, sin_squared_).real();
-    }
-    Complex twice(int layer) const {
-        const Layer& l = stack_.layers[static_cast<std::size_t>(layer)];
-        return std::exp(Complex(0.0, -2.0 * k_ * l.thickness_m) *
-                        longitudinal_wavenumber(l.medium, sin_squared_));
-    }
-    FaceHere here(int face) const {
-        const Electrics& above = medium_above(stack_, face);
-        const Electrics* below = medium_below(stack_, face);
-        const double roughness_m = face_of(stack_, face).roughness_m;
-        return {below ? fresnel(above, *below, sin_squared_) : pec_reflection,
-                face_loss({above, below ? *below : above, roughness_m}, k_, sin_squared_)};
-    }
-
-    const Stack& stack_;
-    double sin_squared_;
-    double k_;
+    double power_ = 0.0;
+    Complex common_ = 0.0;
+    bool has_ended_ = false;
 };
 
+/// Spectrum of all orders of the face's heights.
+/// @in  across  (K l / 2)^2
+Reflection spectrum(const StackFace& face, const ModulatedWaves& waves, double across) {
+    std::array<double, n_waves> share{}, phase{};
+    double largest = 0.0;
+    for (std::size_t w = 0; w < n_waves; ++w) {
+        phase[w] = waves.rate_rad_m[w] * face.roughness_m;
+        share[w] = std::exp(-0.5 * phase[w] * phase[w]);
+        largest = std::max(largest, phase[w] * phase[w]);
+    }
+    OrderSum te, tm;
+    for (int n = 1; n <= most_orders; ++n) {
+        TeTm amplitude{};
+        const double root = std::sqrt(double(n));
+        for (std::size_t w = 0; w < n_waves; ++w) {
+            share[w] *= phase[w] / root;
+            amplitude.te += waves.amplitude[w].te * share[w];
+            amplitude.tm += waves.amplitude[w].tm * share[w];
+        }
+        const double of_order =
+            pi * face.correlation_m * face.correlation_m / n * std::exp(-across / n);
+        te.add(amplitude.te, share[0], of_order);
+        tm.add(amplitude.tm, share[0], of_order);
+        if (n > largest + across && te.has_ended() && tm.has_ended()) break;
+    }
+    return {te.value(), tm.value()};
+}
+
 Reflection without_grain(const Stack& stack, const StackFace& face, double cos_incidence) {
-    const CutStack cut(stack, cos_incidence);
-    const auto of = [&](Complex Reflection::*polarisation) {
-        return cut.spectrum(face, cut.waves(face.number, cut.at(face.number, polarisation)));
-    };
-    return {of(&Reflection::te), of(&Reflection::tm)};
+    const double k = two_pi * stack.frequency_hz / speed_of_light_m_s;
+    const double sin_squared = 1.0 - cos_incidence * cos_incidence;
+    const double across = std::pow(k * face.correlation_m, 2) * sin_squared;
+    const std::vector<FaceUnderWave> faces = faces_under_wave(stack, cos_incidence);
+    return spectrum(face, waves_at(static_cast<std::size_t>(face.number), faces, k), across);
 }
 
 }  // namespace

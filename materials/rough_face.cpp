@@ -2,19 +2,21 @@
 
 #include <cmath>
 
-#include "materials/interface.hpp"
 #include "sim/core/constants.hpp"
 
 namespace specula {
 
+FaceLoss face_loss(const MediumWave& above, const MediumWave& below, double ks) {
+    if (ks == 0.0) return {};
+    const double over = ks * above.q.real(), under = ks * below.q.real();
+    return {.reflect_above = std::exp(-2.0 * over * over),
+            .reflect_below = std::exp(-2.0 * under * under),
+            .transmit_twice = std::exp(-(over - under) * (over - under))};
+}
+
 FaceLoss face_loss(const RoughFace& face, double wavenumber_rad_m, double sin_squared) {
-    if (face.roughness_m == 0.0) return {};
-    const double ks = wavenumber_rad_m * face.roughness_m;
-    const double above = ks * longitudinal_wavenumber(face.above, sin_squared).real();
-    const double below = ks * longitudinal_wavenumber(face.below, sin_squared).real();
-    return {.reflect_above = std::exp(-2.0 * above * above),
-            .reflect_below = std::exp(-2.0 * below * below),
-            .transmit_twice = std::exp(-(above - below) * (above - below))};
+    return face_loss(wave_in(face.above, sin_squared), wave_in(face.below, sin_squared),
+                     wavenumber_rad_m * face.roughness_m);
 }
 
 double rayleigh_parameter(const RoughIncidence& incidence) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "materials/electrics.hpp"
+#include "materials/interface.hpp"
 
 namespace specula {
 
@@ -23,6 +23,8 @@ struct FaceLoss {
 /// @eq   PHYSICS.md#coherent-roughness; Ament, Proc. IRE 41 (1953) 142
 /// Limit: slopes gentle, no shadows; the diffuse part is not in here.
 FaceLoss face_loss(const RoughFace& face, double wavenumber_rad_m, double sin_squared);
+/// @in  ks  wave number in air times rms height, radian
+FaceLoss face_loss(const MediumWave& above, const MediumWave& below, double ks);
 
 /// A rough face under a wave in air.
 struct RoughIncidence {

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "materials/rough_face.hpp"
-#include "sim/core/constants.hpp"
+#include "materials/stack_faces.hpp"
 #include "sim/core/expect.hpp"
 
 namespace specula {
@@ -18,27 +17,15 @@ Complex joined(Complex r, Complex below, const FaceLoss& loss) {
 }
 
 Reflection without_grain(const Stack& stack, double cos_incidence) {
-    const double sin_squared = 1.0 - cos_incidence * cos_incidence;
-    const double k = two_pi * stack.frequency_hz / speed_of_light_m_s;
-    const Electrics air;
-    const std::size_t n = stack.layers.size();
-    const Electrics& last = n > 0 ? stack.layers[n - 1].medium : air;
-
-    const auto* half_space = std::get_if<HalfSpace>(&stack.backing);
-    Reflection below = half_space ? fresnel(last, half_space->medium, sin_squared) : pec_reflection;
-    const double roughness_m =
-        std::visit([](const auto& backing) { return backing.roughness_m; }, stack.backing);
-    const auto of_backing = face_loss({last, last, roughness_m}, k, sin_squared);
-    below.te *= of_backing.reflect_above;
-    below.tm *= of_backing.reflect_above;
-    for (std::size_t i = n; i-- > 0;) {
-        const Layer& layer = stack.layers[i];
-        const Electrics& above = i > 0 ? stack.layers[i - 1].medium : air;
-        const Complex q = longitudinal_wavenumber(layer.medium, sin_squared);
-        const Complex twice = std::exp(Complex(0.0, -2.0 * k * layer.thickness_m) * q);
-        const Reflection face = fresnel(above, layer.medium, sin_squared);
-        const auto loss = face_loss({above, layer.medium, layer.roughness_m}, k, sin_squared);
-        below = {joined(face.te, below.te * twice, loss), joined(face.tm, below.tm * twice, loss)};
+    const std::vector<FaceUnderWave> faces = faces_under_wave(stack, cos_incidence);
+    Reflection below = faces.back().reflection;
+    below.te *= faces.back().loss.reflect_above;
+    below.tm *= faces.back().loss.reflect_above;
+    for (std::size_t i = stack.layers.size(); i-- > 0;) {
+        const FaceUnderWave& face = faces[i];
+        const Complex twice = face.pass * face.pass;
+        below = {joined(face.reflection.te, below.te * twice, face.loss),
+                 joined(face.reflection.tm, below.tm * twice, face.loss)};
     }
     return below;
 }

@@ -2,8 +2,7 @@
 
 #include <cmath>
 
-#include "materials/rough_face.hpp"
-#include "sim/core/constants.hpp"
+#include "materials/stack_faces.hpp"
 #include "sim/core/expect.hpp"
 
 namespace specula {
@@ -17,12 +16,13 @@ struct Below {
     Complex transmission;
 };
 
-/// A layer of one-way phase factor `phase` on top of `below`, under a face of coefficient `r`.
-Below joined(Complex r, const FaceLoss& loss, Complex phase, const Below& below) {
-    const Complex twice = below.reflection * phase * phase;
-    const Complex trips = 1.0 + r * loss.reflect_below * twice;
-    return {r * loss.reflect_above + (1.0 - r * r) * loss.transmit_twice * twice / trips,
-            (1.0 + r) * std::sqrt(loss.transmit_twice) * phase * below.transmission / trips};
+/// A face with a layer under it, on top of `below`.
+Below joined(Complex r, const FaceUnderWave& face, const Below& below) {
+    const Complex twice = below.reflection * face.pass * face.pass;
+    const Complex trips = 1.0 + r * face.loss.reflect_below * twice;
+    return {
+        r * face.loss.reflect_above + (1.0 - r * r) * face.loss.transmit_twice * twice / trips,
+        (1.0 + r) * std::sqrt(face.loss.transmit_twice) * face.pass * below.transmission / trips};
 }
 
 /// The last face, into the backing.
@@ -33,24 +33,14 @@ Below last_face(Complex r, const FaceLoss& loss) {
 Transmission ungrained_transmission(const Stack& stack, double cos_incidence) {
     const auto* backing = std::get_if<HalfSpace>(&stack.backing);
     if (backing == nullptr) return {0.0, 0.0};
-    const double sin_squared = 1.0 - cos_incidence * cos_incidence;
-    const double k = two_pi * stack.frequency_hz / speed_of_light_m_s;
-    const Electrics air;
-    const std::size_t n = stack.layers.size();
-    const Electrics& last = n > 0 ? stack.layers[n - 1].medium : air;
-
-    const Reflection bottom = fresnel(last, backing->medium, sin_squared);
-    const FaceLoss loss = face_loss({last, backing->medium, backing->roughness_m}, k, sin_squared);
-    Below te = last_face(bottom.te, loss), tm = last_face(bottom.tm, loss);
-    for (std::size_t i = n; i-- > 0;) {
-        const Layer& layer = stack.layers[i];
-        const Electrics& above = i > 0 ? stack.layers[i - 1].medium : air;
-        const Complex q = longitudinal_wavenumber(layer.medium, sin_squared);
-        const Complex phase = std::exp(Complex(0.0, -k * layer.thickness_m) * q);
-        const Reflection face = fresnel(above, layer.medium, sin_squared);
-        const FaceLoss here = face_loss({above, layer.medium, layer.roughness_m}, k, sin_squared);
-        te = joined(face.te, here, phase, te);
-        tm = joined(face.tm, here, phase, tm);
+    const std::vector<FaceUnderWave> faces = faces_under_wave(stack, cos_incidence);
+    const FaceUnderWave& bottom = faces.back();
+    Below te = last_face(bottom.reflection.te, bottom.loss);
+    Below tm = last_face(bottom.reflection.tm, bottom.loss);
+    for (std::size_t i = stack.layers.size(); i-- > 0;) {
+        const FaceUnderWave& face = faces[i];
+        te = joined(face.reflection.te, face, te);
+        tm = joined(face.reflection.tm, face, tm);
     }
     const Complex impedance =
         std::sqrt(backing->medium.permeability / backing->medium.permittivity);

@@ -54,11 +54,14 @@ void chebyshev_polynomials(double x, std::span<double> values) {
 }
 
 std::vector<double> coefficient_matrix(int n) {
-    std::vector<double> matrix(static_cast<std::size_t>(n) * n);
-    for (int k = 0; k < n; ++k)
-        for (int i = 0; i < n; ++i)
-            matrix[static_cast<std::size_t>(k) * n + i] =
-                (k == 0 ? 1.0 : 2.0) / n * std::cos(pi * k * (i + 0.5) / n);
+    // All angles are multiples of pi / (2 n).
+    const auto points = static_cast<std::size_t>(n), turn = 4 * points;
+    std::vector<double> cosine(turn), matrix(points * points);
+    for (std::size_t m = 0; m < turn; ++m)
+        cosine[m] = std::cos(0.5 * pi * static_cast<double>(m) / n);
+    for (std::size_t k = 0; k < points; ++k)
+        for (std::size_t i = 0; i < points; ++i)
+            matrix[k * points + i] = (k == 0 ? 1.0 : 2.0) / n * cosine[k * (2 * i + 1) % turn];
     return matrix;
 }
 

@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/core/kernels.hpp"
+
 namespace specula {
 
 namespace {
 
 constexpr int tried_first = 6;
+/// Terms at the end of a series that must be negligible, to tell that it is the end.
+constexpr int least_spare = 2;
 /// A double series leaves out many more terms than one over the cosine alone.
 constexpr double negligible_term = 0.1 * negligible_coefficient;
 constexpr int most_over_frequency = most_polynomials / 3;
@@ -59,6 +63,41 @@ Needed needed_of(const CoefficientTable& table) {
     return needed;
 }
 
+/// Where a series is cut too short, its rest folds onto all its terms, the last ones included.
+bool is_enough(int needed, int n) {
+    return needed <= n * 3 / 4;
+}
+
+bool is_enough(const CoefficientTable& table) {
+    const Needed needed = needed_of(table);
+    return is_enough(needed.cosine, table.cosine.n) &&
+           is_enough(needed.frequency, table.frequency_hz.n);
+}
+
+/// The larger of what is needed at either end of an interval.
+template <typename Count>
+int needed_at_ends(const ChebyshevGrid& interval, const Count& needed_at) {
+    return std::max(needed_at(ChebyshevGrid{interval.low, interval.low, 1}),
+                    needed_at(ChebyshevGrid{interval.high, interval.high, 1}));
+}
+
+/// Terms of a series of which `needed` tells how many of n are not negligible; more than `most`
+/// where no n up to it shows the end.
+template <typename Count>
+int length_of(const Count& needed, int most) {
+    for (int n = 2 * tried_first; n <= most;) {
+        const int length = needed(n);
+        if (is_enough(length, n)) return length;
+        n = length < n ? length * 4 / 3 + 2 : 2 * n;
+    }
+    return most + 1;
+}
+
+/// Between the edges a series may be a little longer.
+int with_spare(int needed) {
+    return needed + needed / 8 + least_spare;
+}
+
 CoefficientTable cut(const CoefficientTable& table, const Needed& needed) {
     CoefficientTable kept{table.cosine, table.frequency_hz, {}, {}};
     kept.cosine.n = needed.cosine;
@@ -77,37 +116,64 @@ CoefficientTable cut(const CoefficientTable& table, const Needed& needed) {
 AngularSeries CoefficientTable::at(std::span<const double> frequencies_hz) const {
     const auto n_p = static_cast<std::size_t>(cosine.n);
     const auto n_k = static_cast<std::size_t>(frequency_hz.n);
-    const std::size_t n = frequencies_hz.size();
-    AngularSeries series{std::vector<Complex>(n_p * n), std::vector<Complex>(n_p * n)};
-    std::vector<double> polynomials(n_k);
+    const std::size_t n = frequencies_hz.size(), n_columns = Kernels::padded(4 * n_p);
+    std::vector<double> polynomials(n_k), over_k(n_k * n), columns(n_k * n_columns),
+        sums(n * n_columns);
     for (std::size_t i = 0; i < n; ++i) {
         chebyshev_polynomials(frequency_hz.unit(frequencies_hz[i]), polynomials);
-        for (std::size_t p = 0; p < n_p; ++p)
-            for (std::size_t k = 0; k < n_k; ++k) {
-                series.te[p * n + i] += te[p * n_k + k] * polynomials[k];
-                series.tm[p * n + i] += tm[p * n_k + k] * polynomials[k];
-            }
+        for (std::size_t k = 0; k < n_k; ++k) over_k[k * n + i] = polynomials[k];
     }
+    for (std::size_t k = 0; k < n_k; ++k)
+        for (std::size_t p = 0; p < n_p; ++p) {
+            double* parts = &columns[k * n_columns + 4 * p];
+            parts[0] = te[p * n_k + k].real();
+            parts[1] = te[p * n_k + k].imag();
+            parts[2] = tm[p * n_k + k].real();
+            parts[3] = tm[p * n_k + k].imag();
+        }
+    kernels().add_products({n_k, n, n_columns}, over_k.data(), columns.data(), sums.data());
+    AngularSeries series;
+    series.te.reserve(n * n_p);
+    series.tm.reserve(n * n_p);
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t p = 0; p < n_p; ++p) {
+            const double* parts = &sums[i * n_columns + 4 * p];
+            series.te.emplace_back(parts[0], parts[1]);
+            series.tm.emplace_back(parts[2], parts[3]);
+        }
     return series;
 }
 
 std::optional<CoefficientTable> coefficient_table(const Event& event, const Reflector& reflector,
                                                   ChebyshevGrid cosine,
                                                   ChebyshevGrid frequency_hz) {
+    const auto table_of = [&](const ChebyshevGrid& c, const ChebyshevGrid& f) {
+        return sampled(event, reflector, c, f);
+    };
     cosine.n = frequency_hz.n = tried_first;
-    // Once the end of a series shows, how many it takes is known.
-    const auto next_of = [](int needed, int n) { return needed < n ? needed * 4 / 3 + 2 : 2 * n; };
-    // Where a series is cut too short, its rest folds onto all its terms, the last ones included.
-    const auto is_enough = [](int needed, int n) { return needed <= n * 3 / 4; };
+    if (const CoefficientTable few = table_of(cosine, frequency_hz); is_enough(few))
+        return cut(few, needed_of(few));
+    // How long both series are shows along the edges, at a small part of the cost of the area.
+    const auto along_cosine = [&](int n) {
+        return needed_at_ends(frequency_hz, [&](const ChebyshevGrid& end) {
+            return needed_of(table_of({cosine.low, cosine.high, n}, end)).cosine;
+        });
+    };
+    const auto along_frequency = [&](int n) {
+        return needed_at_ends(cosine, [&](const ChebyshevGrid& end) {
+            return needed_of(table_of(end, {frequency_hz.low, frequency_hz.high, n})).frequency;
+        });
+    };
+    cosine.n = with_spare(length_of(along_cosine, most_polynomials));
+    frequency_hz.n = with_spare(length_of(along_frequency, most_over_frequency));
     while (cosine.n <= most_polynomials && frequency_hz.n <= most_over_frequency) {
-        const CoefficientTable table = sampled(event, reflector, cosine, frequency_hz);
+        const CoefficientTable table = table_of(cosine, frequency_hz);
         const Needed needed = needed_of(table);
-        const bool enough =
-            is_enough(needed.cosine, cosine.n) && is_enough(needed.frequency, frequency_hz.n);
-        if (enough) return cut(table, needed);
-        if (!is_enough(needed.cosine, cosine.n)) cosine.n = next_of(needed.cosine, cosine.n);
-        if (!is_enough(needed.frequency, frequency_hz.n))
-            frequency_hz.n = next_of(needed.frequency, frequency_hz.n);
+        const bool long_enough = needed.cosine + least_spare <= cosine.n &&
+                                 needed.frequency + least_spare <= frequency_hz.n;
+        if (long_enough) return cut(table, needed);
+        cosine.n = std::max(cosine.n, with_spare(needed.cosine));
+        frequency_hz.n = std::max(frequency_hz.n, with_spare(needed.frequency));
     }
     return std::nullopt;
 }

@@ -14,7 +14,7 @@ struct CoefficientTable {
     ChebyshevGrid frequency_hz;   ///< likewise
     std::vector<Complex> te, tm;  ///< (cosine polynomial, frequency polynomial)
 
-    /// The series over the cosine at frequencies in the interval: (cosine polynomial, frequency).
+    /// The series over the cosine at frequencies in the interval: (frequency, cosine polynomial).
     AngularSeries at(std::span<const double> frequencies_hz) const;
 };
 

@@ -33,118 +33,108 @@ StraightSums::StraightSums(const RouteScatter& scatter, const FrequencyComb& com
     : scatter_(scatter), comb_(comb) {
     const Scatter::Extent path = path_extent_m(scatter), cosine = cosine_extent(scatter);
     is_empty_ = path.high == 0.0;
-    reference_path_m_ = 0.5 * (path.low + path.high);
     const double half_band_rad_m =
         0.5 * (wavenumber_rad_m(comb.last_hz()) - wavenumber_rad_m(comb.first_hz));
-    n_for_paths_ = points_for_phase(half_band_rad_m * 0.5 * (path.high - path.low));
-    grid_ = {{comb.first_hz, comb.last_hz(), 0}, {cosine.low, cosine.high, 0}, reference_path_m_};
+    const auto n_nodes = Kernels::padded(
+        static_cast<std::size_t>(points_for_phase(half_band_rad_m * 0.5 * (path.high - path.low))));
+    grid_ = {{comb.first_hz, comb.last_hz(), static_cast<int>(n_nodes)},
+             {cosine.low, cosine.high, 0},
+             0.5 * (path.low + path.high)};
+    for (int i = 0; i < comb.n; ++i) comb_hz_.push_back(comb.at(i));
 }
 
-void StraightSums::sum_at_least(int n_frequencies, int n_polynomials) {
-    if (grid_.frequency_hz.n >= n_frequencies && grid_.cos_incidence.n >= n_polynomials) return;
-    if (grid_.frequency_hz.n < n_frequencies)
-        grid_.frequency_hz.n =
-            static_cast<int>(Kernels::padded(static_cast<std::size_t>(n_frequencies)));
-    grid_.cos_incidence.n = std::max(grid_.cos_incidence.n, n_polynomials);
-    nodes_hz_.clear();
-    for (int q = 0; q < grid_.frequency_hz.n; ++q) nodes_hz_.push_back(grid_.frequency_hz.node(q));
-    moments_.clear();
-    for (const PairScatter& pair : scatter_.rx) moments_.push_back(moments_of(pair, grid_));
-
-    std::vector<double> frequencies_hz, turns;
-    for (int i = 0; i < comb_.n; ++i) {
-        frequencies_hz.push_back(comb_.at(i));
-        turns.push_back(-comb_.at(i) / speed_of_light_m_s * reference_path_m_);
+/// Moments interpolated from the nodes to the comb.
+std::vector<double> StraightSums::on_comb(const Moments& moments) const {
+    const auto n_q = static_cast<std::size_t>(grid_.frequency_hz.n);
+    const auto n_p = static_cast<std::size_t>(grid_.cos_incidence.n);
+    std::vector<double> at_nodes(n_q * n_columns_), at_comb(comb_hz_.size() * n_columns_);
+    const auto put = [&](std::size_t row, const Complex* values) {
+        for (std::size_t q = 0; q < n_q; ++q) {
+            at_nodes[q * n_columns_ + 2 * row] = values[q].real();
+            at_nodes[q * n_columns_ + 2 * row + 1] = values[q].imag();
+        }
+    };
+    put(0, moments.incident.data());
+    for (std::size_t p = 0; p < n_p; ++p) {
+        put(1 + p, &moments.te[p * n_q]);
+        put(1 + n_p + p, &moments.tm[p * n_q]);
     }
-    const auto n = frequencies_hz.size(), n_f = nodes_hz_.size();
-    const std::vector<double> by_frequency =
-        interpolation_matrix(grid_.frequency_hz, frequencies_hz);
-    from_nodes_.resize(n * n_f);
-    for (std::size_t i = 0; i < n; ++i)
-        for (std::size_t q = 0; q < n_f; ++q) from_nodes_[q * n + i] = by_frequency[i * n_f + q];
-    std::vector<double> cosine(n), sine(n);
+    kernels().add_products({n_q, comb_hz_.size(), n_columns_}, from_nodes_.data(), at_nodes.data(),
+                           at_comb.data());
+    return at_comb;
+}
+
+/// What leads from the nodes to the comb.
+void StraightSums::make_carrier() {
+    const std::size_t n = comb_hz_.size();
+    std::vector<double> turns, cosine(n), sine(n);
+    for (const double frequency_hz : comb_hz_)
+        turns.push_back(-frequency_hz / speed_of_light_m_s * grid_.reference_path_m);
     kernels().turn(turns.data(), n, cosine.data(), sine.data());
-    carrier_.clear();
     for (std::size_t i = 0; i < n; ++i)
         carrier_.push_back(surface_factor * Complex(cosine[i], sine[i]));
+
+    const auto n_q = static_cast<std::size_t>(grid_.frequency_hz.n);
+    const std::vector<double> by_frequency = interpolation_matrix(grid_.frequency_hz, comb_hz_);
+    from_nodes_.resize(by_frequency.size());
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t q = 0; q < n_q; ++q) from_nodes_[q * n + i] = by_frequency[i * n_q + q];
 }
 
-/// @in  at_nodes  (node, rx)
-void StraightSums::add_interpolated(const std::vector<Complex>& at_nodes, Channel& channel) const {
-    const auto n = static_cast<std::size_t>(comb_.n), n_f = nodes_hz_.size();
-    const auto n_rx = static_cast<std::size_t>(channel.n_rx);
-    const std::size_t n_columns = Kernels::padded(2 * n_rx);
-    std::vector<double> columns(n_f * n_columns), sums(n * n_columns);
-    for (std::size_t q = 0; q < n_f; ++q)
-        for (std::size_t rx = 0; rx < n_rx; ++rx) {
-            columns[q * n_columns + 2 * rx] = at_nodes[q * n_rx + rx].real();
-            columns[q * n_columns + 2 * rx + 1] = at_nodes[q * n_rx + rx].imag();
-        }
-    kernels().add_products({n_f, n, n_columns}, from_nodes_.data(), columns.data(), sums.data());
-    for (std::size_t rx = 0; rx < n_rx; ++rx) {
-        Complex* h = channel.of_rx(static_cast<int>(rx));
-        for (std::size_t i = 0; i < n; ++i)
-            h[i] += carrier_[i] *
-                    Complex(sums[i * n_columns + 2 * rx], sums[i * n_columns + 2 * rx + 1]);
-    }
+void StraightSums::sum_at_least(int n_polynomials) {
+    if (grid_.cos_incidence.n >= n_polynomials) return;
+    if (carrier_.empty()) make_carrier();
+    grid_.cos_incidence.n = n_polynomials;
+    n_columns_ = Kernels::padded(2 * (1 + 2 * static_cast<std::size_t>(n_polynomials)));
+    moments_.clear();
+    for (const PairScatter& pair : scatter_.rx)
+        moments_.push_back(on_comb(moments_of(pair, grid_)));
 }
 
-bool StraightSums::add_smooth(const CoefficientTable& table, Channel& channel) {
-    // The product of two series of degrees m and n has the degree m + n.
-    sum_at_least(n_for_paths_ + table.frequency_hz.n - 1, table.cosine.n);
-    const AngularSeries series = table.at(nodes_hz_);
-    const auto n_f = nodes_hz_.size(), n_rx = moments_.size();
-    const auto n_p = static_cast<std::size_t>(table.cosine.n);
-    std::vector<Complex> at_nodes(n_f * n_rx);
-    for (std::size_t rx = 0; rx < n_rx; ++rx)
-        for (std::size_t q = 0; q < n_f; ++q) {
-            Complex sum = moments_[rx].incident[q];
-            for (std::size_t p = 0; p < n_p; ++p)
-                sum += series.te[p * n_f + q] * moments_[rx].te[p * n_f + q] +
-                       series.tm[p * n_f + q] * moments_[rx].tm[p * n_f + q];
-            at_nodes[q * n_rx + rx] = sum;
-        }
-    add_interpolated(at_nodes, channel);
-    return true;
-}
-
-/// A material whose coefficients swing too fast over the band: they enter at every frequency.
-bool StraightSums::add_swinging(const Reflector& reflector, Channel& channel) {
+StraightSums::Series StraightSums::series_of(const Reflector& reflector) const {
     const Event currents = currents_of(scatter_.route);
+    if (const auto table =
+            coefficient_table(currents, reflector, grid_.cos_incidence, grid_.frequency_hz))
+        return {table->at(comb_hz_), table->cosine.n};
+    // Coefficients that swing too fast over the band enter at every frequency by themselves.
     const std::array<double, 5> looks_hz{comb_.first_hz, comb_.at(comb_.n / 4),
                                          comb_.at(comb_.n / 2), comb_.at(3 * comb_.n / 4),
                                          comb_.last_hz()};
     ChebyshevGrid cosine = grid_.cos_incidence;
     cosine.n = polynomials_needed(currents, reflector, looks_hz, cosine);
-    if (cosine.n == 0) return false;
-    sum_at_least(n_for_paths_, cosine.n);
-    const auto n = static_cast<std::size_t>(comb_.n), n_f = nodes_hz_.size();
-    const auto n_p = static_cast<std::size_t>(cosine.n);
-    for (std::size_t i = 0; i < n; ++i) {
-        const AngularSeries series =
-            angular_series(currents, reflector(comb_.at(static_cast<int>(i))), cosine);
-        for (std::size_t rx = 0; rx < moments_.size(); ++rx) {
-            const Moments& moments = moments_[rx];
-            Complex sum = 0.0;
-            for (std::size_t q = 0; q < n_f; ++q) {
-                Complex at_node = moments.incident[q];
-                for (std::size_t p = 0; p < n_p; ++p)
-                    at_node += series.te[p] * moments.te[p * n_f + q] +
-                               series.tm[p] * moments.tm[p * n_f + q];
-                sum += from_nodes_[q * n + i] * at_node;
-            }
-            channel.of_rx(static_cast<int>(rx))[i] += carrier_[i] * sum;
-        }
+    Series series{{}, cosine.n};
+    if (cosine.n == 0) return series;
+    for (const double frequency_hz : comb_hz_) {
+        const AngularSeries here = angular_series(currents, reflector(frequency_hz), cosine);
+        series.of.te.insert(series.of.te.end(), here.te.begin(), here.te.end());
+        series.of.tm.insert(series.of.tm.end(), here.tm.begin(), here.tm.end());
     }
-    return true;
+    return series;
 }
 
 bool StraightSums::add(const Reflector& reflector, Channel& channel) {
     if (is_empty_) return true;
-    if (n_for_paths_ > most_over_comb * comb_.n) return false;
-    const auto table = coefficient_table(currents_of(scatter_.route), reflector,
-                                         grid_.cos_incidence, grid_.frequency_hz);
-    return table ? add_smooth(*table, channel) : add_swinging(reflector, channel);
+    if (grid_.frequency_hz.n > most_over_comb * comb_.n) return false;
+    const Series series = series_of(reflector);
+    if (series.n_polynomials == 0) return false;
+    sum_at_least(series.n_polynomials);
+    const auto n_p = static_cast<std::size_t>(series.n_polynomials);
+    const auto n_summed = static_cast<std::size_t>(grid_.cos_incidence.n);
+    for (std::size_t rx = 0; rx < moments_.size(); ++rx) {
+        Complex* h = channel.of_rx(static_cast<int>(rx));
+        for (std::size_t i = 0; i < comb_hz_.size(); ++i) {
+            const double* moment = &moments_[rx][i * n_columns_];
+            const auto of_row = [&](std::size_t row) {
+                return Complex(moment[2 * row], moment[2 * row + 1]);
+            };
+            Complex sum = of_row(0);
+            for (std::size_t p = 0; p < n_p; ++p)
+                sum += series.of.te[i * n_p + p] * of_row(1 + p) +
+                       series.of.tm[i * n_p + p] * of_row(1 + n_summed + p);
+            h[i] += carrier_[i] * sum;
+        }
+    }
+    return true;
 }
 
 }  // namespace specula

@@ -14,7 +14,7 @@ Event currents_of(const Route& route);
 /// A route without events, summed once for any number of materials.
 ///
 /// The sums over its points know no material. They are made when the first material comes, and
-/// again only when one comes that swings faster over angle or frequency than all before it.
+/// again only when one comes that swings faster over angle than all before it.
 /// @eq PHYSICS.md#moments
 class StraightSums {
   public:
@@ -26,21 +26,26 @@ class StraightSums {
     bool add(const Reflector& reflector, Channel& channel);
 
   private:
-    bool add_smooth(const CoefficientTable& table, Channel& channel);
-    bool add_swinging(const Reflector& reflector, Channel& channel);
-    void sum_at_least(int n_frequencies, int n_polynomials);
-    void add_interpolated(const std::vector<Complex>& at_nodes, Channel& channel) const;
+    /// The coefficients at the comb's frequencies, (frequency, polynomial).
+    struct Series {
+        AngularSeries of;
+        int n_polynomials = 0;  ///< 0: no short series describes the material
+    };
+    Series series_of(const Reflector& reflector) const;
+    void make_carrier();
+    void sum_at_least(int n_polynomials);
+    std::vector<double> on_comb(const Moments& moments) const;
 
     const RouteScatter& scatter_;
     FrequencyComb comb_;
     bool is_empty_;
-    int n_for_paths_;  ///< frequencies that the paths alone need
-    MomentGrid grid_;
-    std::vector<Moments> moments_;    ///< (rx), on the grid
-    std::vector<double> nodes_hz_;    ///< of the grid
+    MomentGrid grid_;                 ///< as many frequencies as the paths need
+    std::vector<double> comb_hz_;     ///< all frequencies of the comb
     std::vector<double> from_nodes_;  ///< (node, frequency of the comb)
     std::vector<Complex> carrier_;    ///< (frequency of the comb)
-    double reference_path_m_;
+    std::size_t n_columns_ = 0;       ///< of `moments_`
+    /// By RX: (frequency of the comb; real and imaginary part of incident, TE and TM moments)
+    std::vector<std::vector<double>> moments_;
 };
 
 }  // namespace specula

@@ -187,7 +187,9 @@ RouteScatter diffuse_cells(const Target& target, const AntennaSet& antennas,
     std::vector<Vector3> places;
     for (const Cell& cell : cells) places.push_back(cell.point_m);
     std::vector<char> lit(cells.size(), 1);
-    target.geometry().shadow(antennas.tx.position_m, places, lit);
+    const PlateSurface* plate = target.lone_plate();
+    const bool may_hide = !plate || !is_seen_whole(*plate, antennas);
+    if (may_hide) target.geometry().shadow(antennas.tx.position_m, places, lit);
 
     RouteScatter route{.route = {.before = {},
                                  .body = layer.body,
@@ -197,7 +199,7 @@ RouteScatter diffuse_cells(const Target& target, const AntennaSet& antennas,
                        .rx = {}};
     for (const PlacedAntenna& rx : antennas.rx) {
         std::vector<char> clear = lit;
-        target.geometry().shadow(rx.position_m, places, clear);
+        if (may_hide) target.geometry().shadow(rx.position_m, places, clear);
         PairScatter pair;
         pair.weight.resize(route.route.n_weights());
         for (std::size_t i = 0; i < cells.size(); ++i)

@@ -19,6 +19,7 @@
 #include "tools/specula/commands.hpp"
 #include "tools/specula/dataset_options.hpp"
 #include "tools/specula/firmware_options.hpp"
+#include "tools/specula/freed_memory.hpp"
 #include "tools/specula/home.hpp"
 #include "tools/specula/learning_options.hpp"
 #include "tools/specula/serve_options.hpp"
@@ -159,6 +160,7 @@ void flush_output() {
 int run_program(int argc, char** argv) {
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
+    keep_freed_memory();
 
     CLI::App program{about, "specula"};
     program.footer(first_steps);

@@ -1,0 +1,52 @@
+#include "materials/stack_faces.hpp"
+
+#include <cmath>
+
+#include "sim/core/constants.hpp"
+
+namespace specula {
+
+namespace {
+
+double roughness_m(const Backing& backing) {
+    return std::visit([](const auto& of) { return of.roughness_m; }, backing);
+}
+
+FaceUnderWave face_between(const MediumWave& above, const MediumWave& below, double ks) {
+    return {.q_above = above.q,
+            .q_below = below.q,
+            .reflection = fresnel(above, below),
+            .loss = face_loss(above, below, ks)};
+}
+
+/// A conductor lets no wave in; the losses of its reflection are those seen from above.
+FaceUnderWave conductor_under(const MediumWave& above, double ks) {
+    return {.q_above = above.q,
+            .q_below = 0.0,
+            .reflection = pec_reflection,
+            .loss = face_loss(above, above, ks)};
+}
+
+}  // namespace
+
+std::vector<FaceUnderWave> faces_under_wave(const Stack& stack, double cos_incidence) {
+    static const Electrics air;
+    const double sin_squared = 1.0 - cos_incidence * cos_incidence;
+    const double k = two_pi * stack.frequency_hz / speed_of_light_m_s;
+    std::vector<FaceUnderWave> faces;
+    faces.reserve(stack.layers.size() + 1);
+    MediumWave above = wave_in(air, sin_squared);
+    for (const Layer& layer : stack.layers) {
+        const MediumWave below = wave_in(layer.medium, sin_squared);
+        faces.push_back(face_between(above, below, k * layer.roughness_m));
+        faces.back().pass = std::exp(Complex(0.0, -k * layer.thickness_m) * below.q);
+        above = below;
+    }
+    const double ks = k * roughness_m(stack.backing);
+    const auto* half_space = std::get_if<HalfSpace>(&stack.backing);
+    faces.push_back(half_space ? face_between(above, wave_in(half_space->medium, sin_squared), ks)
+                               : conductor_under(above, ks));
+    return faces;
+}
+
+}  // namespace specula
