@@ -12,13 +12,14 @@
 #include "sim/simulate.hpp"
 #include "tests/check.hpp"
 #include "tests/message_of.hpp"
+#include "tests/project_library.hpp"
 
 namespace specula {
 namespace {
 
 constexpr int n_samples = 128;
 constexpr double bin_m = 0.039;
-const StreamKey key{.seed = 7, .purpose = "test", .world = 1, .item = 3};
+const StreamKey augmentation_key{.seed = 7, .purpose = "test", .world = 1, .item = 3};
 
 Augmentation recipe(const std::vector<std::string>& steps) {
     Augmentation how;
@@ -69,19 +70,20 @@ double largest_gap(const std::vector<float>& a, const std::vector<float>& b, std
 TEST_CASE("6 dB of gain are a factor of 1.995 in codes and in descriptors", "[augment]") {
     FrameSamples frame = tone(100.0, 11.5, 0.3);
     const FrameSamples before = frame;
-    CHECK(augment_codes(frame, recipe({"gain=6"}), 0.45, key) == std::vector<double>{6.0});
+    CHECK(augment_codes(frame, recipe({"gain=6"}), 0.45, augmentation_key) ==
+          std::vector<double>{6.0});
     const double factor = std::pow(10.0, 0.3);
     for (std::size_t i = 0; i < frame.in_phase.size(); ++i)
         CHECK(frame.in_phase[i] == Approx(factor * before.in_phase[i]).epsilon(1e-12));
     std::vector<float> row{1.0f, 0.0f, 250.0f};
-    augment_row(row, recipe({"gain=6"}), 0.45, key);
+    augment_row(row, recipe({"gain=6"}), 0.45, augmentation_key);
     CHECK(row[2] == Approx(250.0 * factor).epsilon(1e-6));  // a float's resolution
     CHECK(row[1] == 0.0f);
 }
 
 TEST_CASE("noise has the deviation asked for and no mean", "[augment]") {
     FrameSamples frame = tone(0.0, 0.0, 0.0, 200);
-    augment_codes(frame, recipe({"noise=5"}), 0.45, key);
+    augment_codes(frame, recipe({"noise=5"}), 0.45, augmentation_key);
     double sum = 0.0, square = 0.0;
     for (const double sample : frame.in_phase) {
         sum += sample;
@@ -98,7 +100,7 @@ TEST_CASE("noise on a descriptor is that of noise in its codes", "[augment]") {
     double of_codes = 0.0, of_rows = 0.0;
     constexpr int n_frames = 60, first = 8, last = 60;
     for (std::uint32_t i = 0; i < n_frames; ++i) {
-        StreamKey own = key;
+        StreamKey own = augmentation_key;
         own.item = i;
         FrameSamples frame = tone(0.0, 0.0, 0.0);
         augment_codes(frame, how, 0.45, own);
@@ -119,13 +121,13 @@ TEST_CASE("a tone of clutter falls with the square of its range and stands at it
     Augmentation how = recipe({});
     how.steps.push_back(read_kind<AugmentStep>(section, "kind"));
     FrameSamples frame = tone(0.0, 0.0, 0.0, 3);
-    augment_codes(frame, how, 0.45, key);
+    augment_codes(frame, how, 0.45, augmentation_key);
     const std::vector<float> profile = descriptor(frame);
     CHECK(profile[30] == Approx(400.0 / (1.17 * 1.17)).epsilon(2e-3));  // rounding to codes
     CHECK(std::max_element(profile.begin(), profile.end()) - profile.begin() == 30);
 
     std::vector<float> row(64, 0.0f);
-    augment_row(row, how, 0.45, key);
+    augment_row(row, how, 0.45, augmentation_key);
     // Of 292; the firmware's window is symmetric, the line that of a periodic one: 1 / N apart.
     CHECK(largest_gap(row, profile, 4, 60) < 292.0 / n_samples);
 }
@@ -133,7 +135,8 @@ TEST_CASE("a tone of clutter falls with the square of its range and stands at it
 TEST_CASE("an echo moved by the ramp stands where its new range says", "[augment]") {
     for (const double bins : {-3.0, -1.28, 0.5, 2.56, 7.7}) {
         FrameSamples frame = tone(1000.0, 11.53, 1.1);
-        augment_codes(frame, recipe({format("shift={}", bins * bin_m * 1e3)}), 11.53 * bin_m, key);
+        augment_codes(frame, recipe({format("shift={}", bins * bin_m * 1e3)}), 11.53 * bin_m,
+                      augmentation_key);
         const std::vector<float> moved = descriptor(frame);
         const std::vector<float> direct = descriptor(tone(1000.0, 11.53 + bins, 0.2));
         INFO(bins << " bins, off by " << largest_gap(moved, direct, 5, 40) << " of 1000");
@@ -147,7 +150,7 @@ TEST_CASE("leakage stays where it is when the scene moves", "[augment]") {
     for (std::size_t i = 0; i < frame.in_phase.size(); ++i)
         frame.in_phase[i] = leakage.in_phase[i] + echo.in_phase[i];
     const double before = descriptor(frame)[1];
-    augment_codes(frame, recipe({"shift=156"}), 12 * bin_m, key);  // four bins
+    augment_codes(frame, recipe({"shift=156"}), 12 * bin_m, augmentation_key);  // four bins
     const std::vector<float> moved = descriptor(frame);
     CHECK(moved[1] == Approx(before).epsilon(0.01));
     CHECK(moved[16] == Approx(200.0).epsilon(0.02));
@@ -165,17 +168,12 @@ TEST_CASE("complex samples move without error, and a way back is the way", "[aug
     Augmentation how = recipe({"shift=50", "shift=-50"});
     how.radar.start_hz = 58e9;  // so that the carrier turns back too
     const FrameSamples before = frame;
-    augment_codes(frame, how, 12 * bin_m, key);
+    augment_codes(frame, how, 12 * bin_m, augmentation_key);
     for (std::size_t i = 0; i < n_samples; ++i) {
         // The slow part takes a little of an echo between two bins, most of it at the ends.
         CHECK(frame.in_phase[i] == Approx(before.in_phase[i]).margin(8.0));
         CHECK(frame.quadrature[i] == Approx(before.quadrature[i]).margin(8.0));
     }
-}
-
-const Library& library() {
-    static const Library held(SPECULA_SOURCE_DIR "/materials/library");
-    return held;
 }
 
 Scene plate_at(double height_m) {
@@ -211,7 +209,7 @@ TEST_CASE("a chirp moved to another height agrees with one simulated there", "[a
         Augmentation how = recipe({format("range={}", (height_m - 0.45) * 1e3)});
         how.radar = view_of(plate_at(0.45).radar);
         FrameSamples moved = start;
-        augment_codes(moved, how, 0.45, key);
+        augment_codes(moved, how, 0.45, augmentation_key);
         const std::vector<float> got = descriptor(moved, 24);
         const std::vector<float> wanted = descriptor(simulated(height_m), 24);
         const double peak = *std::max_element(wanted.begin() + 6, wanted.begin() + 18);
@@ -228,7 +226,7 @@ TEST_CASE("a descriptor moved to another height agrees with that of a chirp simu
         Augmentation how = recipe({format("range={}", (height_m - 0.45) * 1e3)});
         how.radar = view_of(plate_at(0.45).radar);
         std::vector<float> moved = start;
-        augment_row(moved, how, 0.45, key);
+        augment_row(moved, how, 0.45, augmentation_key);
         const std::vector<float> wanted = descriptor(simulated(height_m), 24);
         const double peak = *std::max_element(wanted.begin() + 6, wanted.begin() + 18);
         INFO(height_m << " m: off by " << largest_gap(moved, wanted, 6, 18) << " of " << peak);
@@ -243,16 +241,16 @@ TEST_CASE("the same key gives the same copy, and each copy, frame, step and epoc
         FrameSamples frame = tone(100.0, 11.0, 0.0);
         return augment_codes(frame, how, 0.45, of);
     };
-    const auto first = drawn(key);
-    CHECK(drawn(key) == first);
+    const auto first = drawn(augmentation_key);
+    CHECK(drawn(augmentation_key) == first);
     CHECK(first[0] != first[1]);
-    StreamKey other = key;
+    StreamKey other = augmentation_key;
     other.world = 2;
     CHECK(drawn(other) != first);
-    other = key;
+    other = augmentation_key;
     other.item = 4;
     CHECK(drawn(other) != first);
-    other = key;
+    other = augmentation_key;
     other.seed = 8;
     CHECK(drawn(other) != first);
     for (const double gain_db : first) CHECK(std::abs(gain_db) <= 3.0);
@@ -266,10 +264,10 @@ TEST_CASE("rows are changed one by one, whatever rows stand beside them", "[augm
     rows.world = rows.session = {0, 0};
     rows.class_names = {"a", "b"};
     const Augmentation how = recipe({"gain=-2:2", "noise=3"});
-    const FeatureTable changed = augmented(rows, how, key);
+    const FeatureTable changed = augmented(rows, how, augmentation_key);
     CHECK(changed.label == rows.label);
     CHECK(changed.row(0)[1] != changed.row(1)[1]);
-    StreamKey second = key;
+    StreamKey second = augmentation_key;
     ++second.item;
     const FeatureTable alone =
         augmented(select_rows(rows, std::vector<std::size_t>{1}), how, second);
@@ -287,12 +285,13 @@ TEST_CASE("steps that cannot be taken are refused by name", "[augment]") {
               std::string::npos);
     FrameSamples frame = tone(100.0, 11.0, 0.0);
     CHECK(message_of([&] {
-              return augment_codes(frame, recipe({"range=-400"}), 0.45, key);
+              return augment_codes(frame, recipe({"range=-400"}), 0.45, augmentation_key);
           }).find("to within 3 range bins of the radar") != std::string::npos);
     Augmentation blind = recipe({"shift=10"});
     blind.radar.bin_m = 0.0;
-    CHECK(message_of([&] { return augment_codes(frame, blind, 0.45, key); }).find("--radar") !=
-          std::string::npos);
+    CHECK(message_of([&] {
+              return augment_codes(frame, blind, 0.45, augmentation_key);
+          }).find("--radar") != std::string::npos);
 }
 
 }  // namespace

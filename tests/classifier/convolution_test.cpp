@@ -10,6 +10,7 @@
 #include "classifier/unrolled.hpp"
 #include "tests/check.hpp"
 #include "tests/classifier/blobs.hpp"
+#include "tests/classifier/gradient_check.hpp"
 #include "tests/classifier/temporary_folder.hpp"
 #include "tests/message_of.hpp"
 
@@ -20,8 +21,8 @@ const NetworkShape small{
     .n_features = 6, .channels = {3, 4}, .kernel = 3, .hidden = {5}, .n_classes = 3};
 
 /// Nothing at its starting value, and one batch.
-struct Example {
-    explicit Example(const NetworkShape& shape = small)
+struct ConvolvedExample {
+    explicit ConvolvedExample(const NetworkShape& shape = small)
         : network(initial_network<double>(shape, stream)),
           inputs(Matrix<double>::NullaryExpr(shape.n_features, 9, [&] { return stream.normal(); })),
           workspace(network, 9) {
@@ -44,7 +45,7 @@ struct Example {
 };
 
 template <typename Array>
-double slope_difference(Example& example, Array& parameters, const Array& gradient) {
+double slope_difference(ConvolvedExample& example, Array& parameters, const Array& gradient) {
     constexpr double h = 1e-5;
     double largest = 0.0;
     for (Eigen::Index i = 0; i < parameters.size(); ++i) {
@@ -59,26 +60,12 @@ double slope_difference(Example& example, Array& parameters, const Array& gradie
     return largest;
 }
 
-/// How far the nearest unit is from the kink of its ReLU.
-double distance_from_kinks(const Example& example) {
-    double nearest = 1e9;
-    for (std::size_t l = 0; l < example.network.n_hidden(); ++l) {
-        const auto& layer = example.network.layers[l];
-        const Matrix<double> before =
-            (example.workspace.hidden[l].normalised.array().colwise() * layer.gamma.array())
-                .colwise() +
-            layer.beta.array();
-        nearest = std::min(nearest, before.cwiseAbs().minCoeff());
-    }
-    return nearest;
-}
-
 TEST_CASE("gradients of convolutions are the slopes of the loss", "[convolution]") {
-    Example example;
+    ConvolvedExample example;
     const double smoothing = GENERATE(0.0, 0.15);
     example.workspace.smoothing = smoothing;
     example.loss();
-    REQUIRE(distance_from_kinks(example) > 1e-4);
+    REQUIRE(distance_from_kinks(example.network, example.workspace) > 1e-4);
     backward(example.network, example.workspace);
     const auto gradient = example.workspace.gradient;
     for (std::size_t l = 0; l < gradient.size(); ++l) {

@@ -8,7 +8,7 @@ namespace specula {
 namespace {
 
 /// Two frames of two chirps and 24 samples, which count upwards.
-Dataset frames(SampleAxis axis) {
+Dataset frames_along(SampleAxis axis) {
     Dataset dataset;
     dataset.class_names = {"a"};
     dataset.n_chirps = 2;
@@ -21,7 +21,7 @@ Dataset frames(SampleAxis axis) {
 }
 
 TEST_CASE("beat samples are described by the firmware's own extractor", "[classifier]") {
-    const Dataset dataset = frames(SampleAxis::beat);
+    const Dataset dataset = frames_along(SampleAxis::beat);
     const Descriptor descriptor = descriptor_for(dataset);
     CHECK(descriptor.text() == "range_bins 6 12 blackman");
     CHECK(describe(dataset, descriptor, 1).features ==
@@ -30,7 +30,7 @@ TEST_CASE("beat samples are described by the firmware's own extractor", "[classi
 }
 
 TEST_CASE("samples that are range are described by mean magnitudes of windows", "[classifier]") {
-    Dataset dataset = frames(SampleAxis::range);
+    Dataset dataset = frames_along(SampleAxis::range);
     for (const std::int16_t code : dataset.adc)
         dataset.adc_quadrature.push_back(static_cast<std::int16_t>(code / 3 * 4));
     const Descriptor descriptor = descriptor_for(dataset, BinChoice{0, 4});
@@ -66,7 +66,7 @@ TEST_CASE("a model says what it was trained on, and data of another kind are ref
     model.provenance = {{"descriptor", "range_windows 0 4 rect"}};
     CHECK(descriptor_of(model).text() == "range_windows 0 4 rect");
     CHECK(message_of([&] {
-              return describe(frames(SampleAxis::beat), descriptor_of(model), 1).size();
+              return describe(frames_along(SampleAxis::beat), descriptor_of(model), 1).size();
           }).rfind("range_windows: does not fit such frames", 0) == 0);
     model.provenance = {{"descriptor", "range_windows 0 5 rect"}};
     CHECK(message_of([&] {
@@ -78,7 +78,7 @@ TEST_CASE("a model says what it was trained on, and data of another kind are ref
 }
 
 TEST_CASE("complex beat samples are refused, for the firmware takes real ones", "[classifier]") {
-    Dataset dataset = frames(SampleAxis::beat);
+    Dataset dataset = frames_along(SampleAxis::beat);
     dataset.adc_quadrature = dataset.adc;
     CHECK(message_of([&] {
               return descriptor_for(dataset).text();

@@ -5,13 +5,14 @@
 #include <numeric>
 
 #include "tests/check.hpp"
+#include "tests/classifier/gradient_check.hpp"
 
 namespace specula {
 namespace {
 
 /// A small network with nothing at its starting value, and one batch for it.
-struct Example {
-    explicit Example(const std::vector<int>& widths, int n_examples = 12)
+struct MlpExample {
+    explicit MlpExample(const std::vector<int>& widths, int n_examples = 12)
         : network(initial_network<double>(widths, stream)),
           inputs(Matrix<double>::NullaryExpr(widths.front(), n_examples,
                                              [&] { return stream.normal(); })),
@@ -39,7 +40,7 @@ struct Example {
 
 /// Largest difference of the gradient from central differences over one array.
 template <typename Array>
-double gradient_difference(Example& example, Array& parameters, const Array& gradient) {
+double gradient_difference(MlpExample& example, Array& parameters, const Array& gradient) {
     constexpr double h = 1e-5;  // truncation and rounding both near 1e-11
     double largest = 0.0;
     for (Eigen::Index i = 0; i < parameters.size(); ++i) {
@@ -54,26 +55,12 @@ double gradient_difference(Example& example, Array& parameters, const Array& gra
     return largest;
 }
 
-/// How far the nearest unit is from the kink of its ReLU, where no derivative exists.
-double distance_from_kinks(const Example& example) {
-    double nearest = 1e9;
-    for (std::size_t l = 0; l < example.network.n_hidden(); ++l) {
-        const auto& layer = example.network.layers[l];
-        const Matrix<double> before =
-            (example.workspace.hidden[l].normalised.array().colwise() * layer.gamma.array())
-                .colwise() +
-            layer.beta.array();
-        nearest = std::min(nearest, before.cwiseAbs().minCoeff());
-    }
-    return nearest;
-}
-
 TEST_CASE("gradients are the slopes of the loss", "[mlp]") {
     const auto widths =
         GENERATE(values<std::vector<int>>({{4, 3}, {4, 6, 3}, {5, 7, 6, 4}, {3, 4, 4, 4, 2}}));
-    Example example(widths);
+    MlpExample example(widths);
     example.loss();
-    REQUIRE(distance_from_kinks(example) > 1e-4);
+    REQUIRE(distance_from_kinks(example.network, example.workspace) > 1e-4);
     backward(example.network, example.workspace);
     const auto gradient = example.workspace.gradient;
     for (std::size_t l = 0; l < gradient.size(); ++l) {
@@ -87,14 +74,14 @@ TEST_CASE("gradients are the slopes of the loss", "[mlp]") {
 }
 
 TEST_CASE("the loss of equal logits is the logarithm of the number of classes", "[mlp]") {
-    Example example({4, 5});
+    MlpExample example({4, 5});
     example.network.layers[0].weight.setZero();
     example.network.layers[0].bias.setConstant(7.0);
     CHECK(example.loss() == Approx(std::log(5.0)).epsilon(1e-15));
 }
 
 TEST_CASE("logits far beyond the range of exp give a finite loss", "[mlp]") {
-    Example example({4, 2}, 2);
+    MlpExample example({4, 2}, 2);
     example.network.layers[0].weight.setZero();
     example.network.layers[0].bias << 1e4, -1e4;
     example.workspace.label = {0, 1};
@@ -103,7 +90,7 @@ TEST_CASE("logits far beyond the range of exp give a finite loss", "[mlp]") {
 
 TEST_CASE("a step does not depend on what else fits into the buffers", "[mlp]") {
     const std::vector<std::uint32_t> chosen{5, 0, 3, 9, 1};
-    Example example({4, 6, 3});
+    MlpExample example({4, 6, 3});
     const std::vector<std::uint8_t> labels = example.workspace.label;
     MlpWorkspace<double> exact(example.network, 5);
     auto same = example.network;
@@ -117,7 +104,7 @@ TEST_CASE("a step does not depend on what else fits into the buffers", "[mlp]") 
 }
 
 TEST_CASE("running statistics settle at the mean and the unbiased variance of the sums", "[mlp]") {
-    Example example({4, 6, 3});
+    MlpExample example({4, 6, 3});
     for (int i = 0; i < 400; ++i) example.loss();  // 0.9^400 = 5e-19: the start is forgotten
     const Matrix<double> sums = example.network.layers[0].weight * example.inputs;
     for (Eigen::Index unit = 0; unit < sums.rows(); ++unit) {

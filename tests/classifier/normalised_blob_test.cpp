@@ -15,7 +15,7 @@ namespace specula {
 namespace {
 
 /// Strong and weak echoes at any height; the class is the level at 1 / R.
-Dataset echoes(std::uint64_t seed) {
+Dataset seeded_echoes(std::uint64_t seed) {
     Dataset dataset;
     dataset.class_names = {"strong", "weak"};
     dataset.n_chirps = 1;
@@ -52,13 +52,13 @@ TEST_CASE("the chip normalises as the model was trained, and answers the same", 
                                "range_bins 6 12 blackman align 12 range 12 log 1 search 5 20",
                                "range_bins 6 12 blackman range 12 log 0.5 search 3 30");
     const Descriptor descriptor = parse_descriptor(line);
-    const Model model = trained(echoes(1), descriptor);
+    const Model model = trained(seeded_echoes(1), descriptor);
     const auto blob = model_blob(model, FW_ARITHMETIC_FLOAT);
     fw_model opened;
     REQUIRE(fw_model_open(blob.data(), blob.size(), &opened) == FW_OK);
     std::vector<float> scratch(fw_classify_scratch(&opened) / sizeof(float) + 1);
 
-    const Dataset asked = echoes(2);
+    const Dataset asked = seeded_echoes(2);
     const FeatureTable rows = describe(asked, descriptor, 1);
     const Predictions answers = predict(fold(model), rows);
     std::size_t n_right = 0;
@@ -77,7 +77,7 @@ TEST_CASE("the chip normalises as the model was trained, and answers the same", 
 
 TEST_CASE("a descriptor that the chip has no code for is not exported", "[blob]") {
     const Descriptor descriptor = parse_descriptor("range_bins 6 12 blackman unit");
-    const Model model = trained(echoes(1), descriptor);
+    const Model model = trained(seeded_echoes(1), descriptor);
     CHECK(message_of([&] { return model_blob(model, FW_ARITHMETIC_FLOAT).size(); }) ==
           "descriptor = \"range_bins 6 12 blackman unit\": the firmware does not compute it; train "
           "on range_bins with align, range and log, or export the network alone as --onnx");

@@ -24,21 +24,21 @@ struct Echo {
     double follower_rad = 1.1;
 };
 
-constexpr int n_samples = 128, n_rx = 3, n_chirps = 2;
+constexpr int n_echo_samples = 128, n_echo_rx = 3, n_echo_chirps = 2;
 
 /// One frame per echo, sessions of four frames.
-Dataset frames(const std::vector<Echo>& echoes) {
+Dataset frames_of(const std::vector<Echo>& echoes) {
     Dataset dataset;
     dataset.class_names = {"a"};
-    dataset.n_chirps = n_chirps;
-    dataset.n_rx = n_rx;
-    dataset.n_samples = n_samples;
+    dataset.n_chirps = n_echo_chirps;
+    dataset.n_rx = n_echo_rx;
+    dataset.n_samples = n_echo_samples;
     for (const Echo& echo : echoes) {
         dataset.truth.push_back({.session = static_cast<int>(dataset.truth.size()) / 4});
-        for (int chirp = 0; chirp < n_chirps; ++chirp)
-            for (int rx = 0; rx < n_rx; ++rx)
-                for (int i = 0; i < n_samples; ++i) {
-                    const double at = two_pi * i / n_samples;
+        for (int chirp = 0; chirp < n_echo_chirps; ++chirp)
+            for (int rx = 0; rx < n_echo_rx; ++rx)
+                for (int i = 0; i < n_echo_samples; ++i) {
+                    const double at = two_pi * i / n_echo_samples;
                     const double phase = echo.phase_rad + echo.step_rad * rx;
                     const double first = std::cos(at * echo.bin + phase);
                     const double second =
@@ -96,7 +96,7 @@ TEST_CASE("a line that makes no descriptor is refused, saying which word is wron
 }
 
 TEST_CASE("steps that are off leave the firmware's bins bit for bit", "[descriptor]") {
-    const Dataset dataset = frames({{}, {.bin = 13.4}});
+    const Dataset dataset = frames_of({{}, {.bin = 13.4}});
     const auto plain = describe(dataset, parse_descriptor("range_bins 6 12 blackman"), 1);
     const auto angled =
         describe(dataset, parse_descriptor("range_bins 6 12 blackman search 5 20 angle 3"), 1);
@@ -105,7 +105,7 @@ TEST_CASE("steps that are off leave the firmware's bins bit for bit", "[descript
 }
 
 TEST_CASE("an echo that moved by bins keeps its aligned bins; fixed ones lose it", "[descriptor]") {
-    const Dataset dataset = frames({{.bin = 12.0}, {.bin = 9.0}, {.bin = 15.0}, {.bin = 14.0}});
+    const Dataset dataset = frames_of({{.bin = 12.0}, {.bin = 9.0}, {.bin = 15.0}, {.bin = 14.0}});
     const auto rows = describe(dataset, parse_descriptor(aligned), 1);
     const auto fixed = describe(dataset, parse_descriptor("range_bins 6 12 blackman"), 1);
     for (std::size_t i = 1; i < 4; ++i) {
@@ -118,7 +118,7 @@ TEST_CASE("an echo that moved by bins keeps its aligned bins; fixed ones lose it
 
 TEST_CASE("range compensation brings an echo that falls as 1 / R to one level", "[descriptor]") {
     const Dataset dataset =
-        frames({{.bin = 12.0}, {.bin = 15.0, .amplitude = 4000.0 * 12.0 / 15.0}});
+        frames_of({{.bin = 12.0}, {.bin = 15.0, .amplitude = 4000.0 * 12.0 / 15.0}});
     const auto rows = describe(dataset, parse_descriptor(aligned + " range 12"), 1);
     CHECK(rows.row(1)[6] == Approx(rows.row(0)[6]).epsilon(1e-3));
     const auto in_log = describe(dataset, parse_descriptor(aligned + " range 12 log 1"), 1);
@@ -127,7 +127,7 @@ TEST_CASE("range compensation brings an echo that falls as 1 / R to one level", 
 
 TEST_CASE("unit energy takes the level away and nothing else", "[descriptor]") {
     const Dataset dataset =
-        frames({{.amplitude = 8000.0, .follower = 0.2}, {.amplitude = 500.0, .follower = 0.2}});
+        frames_of({{.amplitude = 8000.0, .follower = 0.2}, {.amplitude = 500.0, .follower = 0.2}});
     const auto rows = describe(dataset, parse_descriptor("range_bins 6 12 blackman unit"), 1);
     double energy = 0.0;
     for (const float value : rows.row(0)) energy += double(value) * double(value);
@@ -142,22 +142,22 @@ std::vector<double> plain_relative(const Dataset& dataset, double peak) {
     const auto at = [&](int rx, double bin) {
         std::complex<double> sum = 0.0;
         double weights = 0.0;
-        for (int i = 0; i < n_samples; ++i) {
-            const double x = two_pi * i / (n_samples - 1);
+        for (int i = 0; i < n_echo_samples; ++i) {
+            const double x = two_pi * i / (n_echo_samples - 1);
             const double window = 0.42 - 0.5 * std::cos(x) + 0.08 * std::cos(2.0 * x);
             weights += window;
             double code = 0.0;
-            for (int chirp = 0; chirp < n_chirps; ++chirp)
-                code += dataset.adc[std::size_t((chirp * n_rx + rx) * n_samples + i)] /
-                        double(n_chirps);
-            sum += window * code * std::polar(1.0, -two_pi * bin * i / n_samples);
+            for (int chirp = 0; chirp < n_echo_chirps; ++chirp)
+                code += dataset.adc[std::size_t((chirp * n_echo_rx + rx) * n_echo_samples + i)] /
+                        double(n_echo_chirps);
+            sum += window * code * std::polar(1.0, -two_pi * bin * i / n_echo_samples);
         }
         return sum * 2.0 / weights;
     };
-    for (int rx = 0; rx < n_rx; ++rx) {
-        level += std::abs(at(rx, peak)) / n_rx;
+    for (int rx = 0; rx < n_echo_rx; ++rx) {
+        level += std::abs(at(rx, peak)) / n_echo_rx;
         for (int k = 0; k < 12; ++k)
-            mean[std::size_t(k)] += at(rx, peak + k + 6 - 12) / at(rx, peak) / double(n_rx);
+            mean[std::size_t(k)] += at(rx, peak + k + 6 - 12) / at(rx, peak) / double(n_echo_rx);
     }
     std::vector<double> features;
     for (const auto& value : mean) {
@@ -172,7 +172,7 @@ const std::string relative = "relative_profile 6 12 blackman align 12 range 12 s
 
 TEST_CASE("the relative profile is its definition, summed plainly", "[descriptor]") {
     const Echo echo{.bin = 13.0, .step_rad = 0.4, .follower = 0.3};
-    const Dataset dataset = frames({echo});
+    const Dataset dataset = frames_of({echo});
     const auto rows = describe(dataset, parse_descriptor(relative), 1);
     REQUIRE(rows.n_features == 25);
     // Where the peak is, the firmware says; it is near the stronger tone.
@@ -198,15 +198,15 @@ TEST_CASE("range, phase, level and angle do not show in the relative profile", "
                     .step_rad = step,
                     .follower = 0.25};
     };
-    const Dataset dataset = frames({with(12.0, 6000, 0.3, 0.0), with(14.0, 6000, 1.9, 0.0),
-                                    with(10.0, 3000, -2.0, 0.7), with(12.3, 6000, 0.3, 0.0)});
+    const Dataset dataset = frames_of({with(12.0, 6000, 0.3, 0.0), with(14.0, 6000, 1.9, 0.0),
+                                       with(10.0, 3000, -2.0, 0.7), with(12.3, 6000, 0.3, 0.0)});
     const auto rows = describe(dataset, parse_descriptor(relative), 1);
     for (std::size_t i = 1; i < 3; ++i)  // moved by whole bins: rounding of codes, side lobes
         CHECK(largest_difference(rows.row(i).first(24), rows.row(0).first(24)) < 4e-3);
     // Between bins the parabola misses the top by up to 0.03 bins, which turns and tilts the rest.
     CHECK(largest_difference(rows.row(3).first(24), rows.row(0).first(24)) < 0.12);
     // Another follower is another shape.
-    const Dataset other = frames({{.follower = 0.25, .follower_rad = 2.6}});
+    const Dataset other = frames_of({{.follower = 0.25, .follower_rad = 2.6}});
     CHECK(largest_difference(describe(other, parse_descriptor(relative), 1).row(0), rows.row(0)) >
           0.2);
     // The level: ln(6000) + ln(bin / 12), and the follower's share in it the same.
@@ -217,7 +217,7 @@ TEST_CASE("range, phase, level and angle do not show in the relative profile", "
 
 TEST_CASE("the angle cue is the phase from receiver to receiver", "[descriptor]") {
     const double step = GENERATE(-2.0, 0.0, 0.9, 3.0);
-    const Dataset dataset = frames({{.bin = 12.4, .step_rad = step}});
+    const Dataset dataset = frames_of({{.bin = 12.4, .step_rad = step}});
     const auto rows =
         describe(dataset, parse_descriptor("range_bins 6 12 blackman search 5 20 angle 3"), 1);
     REQUIRE(rows.n_features == 16);
@@ -235,7 +235,7 @@ TEST_CASE("the angle cue is the phase from receiver to receiver", "[descriptor]"
 TEST_CASE("looks are means and spreads over frames of one session", "[descriptor]") {
     std::vector<Echo> echoes;
     for (int i = 0; i < 11; ++i) echoes.push_back({.amplitude = 1000.0 + 100.0 * i});
-    const Dataset dataset = frames(echoes);  // sessions of 4, 4 and 3
+    const Dataset dataset = frames_of(echoes);  // sessions of 4, 4 and 3
     const auto single = describe(dataset, parse_descriptor("range_bins 6 12 blackman"), 1);
     const auto rows =
         describe(dataset, parse_descriptor("range_bins 6 12 blackman looks 2 spread"), 1);
@@ -257,7 +257,7 @@ TEST_CASE("looks are means and spreads over frames of one session", "[descriptor
 TEST_CASE("every descriptor is the same for any number of threads", "[descriptor]") {
     std::vector<Echo> echoes;
     for (int i = 0; i < 300; ++i) echoes.push_back({.bin = 9.0 + 0.02 * i, .follower = 0.2});
-    const Dataset dataset = frames(echoes);
+    const Dataset dataset = frames_of(echoes);
     for (const std::string& line :
          {aligned + " range 12 log 1", relative + " angle 3", relative + " looks 4 spread"})
         CHECK(describe(dataset, parse_descriptor(line), 1).features ==

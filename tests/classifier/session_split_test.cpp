@@ -10,10 +10,10 @@
 namespace specula {
 namespace {
 
-constexpr StreamKey key{.seed = 2, .purpose = "split test"};
+constexpr StreamKey split_key{.seed = 2, .purpose = "split test"};
 
 /// `n_sessions` of each of three classes in two worlds, four rows each.
-FeatureTable recorded(int n_sessions) {
+FeatureTable sessions_recorded(int n_sessions) {
     FeatureTable rows;
     rows.n_features = 1;
     rows.class_names = {"a", "b", "c"};
@@ -35,8 +35,8 @@ std::set<std::pair<int, int>> sessions(const FeatureTable& rows) {
 }
 
 TEST_CASE("no session is on both sides, none is lost, and every class is on both", "[split]") {
-    const FeatureTable rows = recorded(5);
-    const SessionSplit split = hold_out_sessions(rows, 0.2, key);
+    const FeatureTable rows = sessions_recorded(5);
+    const SessionSplit split = hold_out_sessions(rows, 0.2, split_key);
     const auto training = sessions(split.training), held_out = sessions(split.held_out);
     CHECK(training.size() + held_out.size() == 30);
     for (const auto& session : held_out) CHECK_FALSE(training.contains(session));
@@ -48,23 +48,23 @@ TEST_CASE("no session is on both sides, none is lost, and every class is on both
 }
 
 TEST_CASE("the share is rounded, but each side keeps a session of each class", "[split]") {
-    CHECK(sessions(hold_out_sessions(recorded(1), 0.01, key).held_out).size() == 3);
-    CHECK(sessions(hold_out_sessions(recorded(1), 0.99, key).training).size() == 3);
+    CHECK(sessions(hold_out_sessions(sessions_recorded(1), 0.01, split_key).held_out).size() == 3);
+    CHECK(sessions(hold_out_sessions(sessions_recorded(1), 0.99, split_key).training).size() == 3);
 }
 
 TEST_CASE("another key holds out other sessions, the same key the same", "[split]") {
-    const FeatureTable rows = recorded(20);
-    const auto first = sessions(hold_out_sessions(rows, 0.3, key).held_out);
-    CHECK(sessions(hold_out_sessions(rows, 0.3, key).held_out) == first);
+    const FeatureTable rows = sessions_recorded(20);
+    const auto first = sessions(hold_out_sessions(rows, 0.3, split_key).held_out);
+    CHECK(sessions(hold_out_sessions(rows, 0.3, split_key).held_out) == first);
     CHECK(sessions(hold_out_sessions(rows, 0.3, {.seed = 3, .purpose = "split test"}).held_out) !=
           first);
 }
 
 TEST_CASE("a class with a single session, and sessions of mixed classes, are refused", "[split]") {
-    FeatureTable rows = recorded(1);
+    FeatureTable rows = sessions_recorded(1);
     rows = select_rows_where(
         rows, [&](std::size_t i) { return rows.label[i] != 1 || rows.world[i] == 0; });
-    CHECK(message_of([&] { return hold_out_sessions(rows, 0.2, key).training.size(); }) ==
+    CHECK(message_of([&] { return hold_out_sessions(rows, 0.2, split_key).training.size(); }) ==
           "sessions: class \"b\" has 1 of them, too few to hold one out; record more, or train "
           "without holding out");
 

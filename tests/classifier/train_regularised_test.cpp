@@ -9,21 +9,11 @@
 #include "tests/check.hpp"
 #include "tests/classifier/blobs.hpp"
 #include "tests/classifier/golden_run.hpp"
+#include "tests/classifier/trained_blobs.hpp"
 #include "tests/message_of.hpp"
 
 namespace specula {
 namespace {
-
-constexpr StreamKey key{.seed = 5, .purpose = "train test"};
-
-double f1_on(const Model& model, const FeatureTable& rows) {
-    const Predictions predictions = predict(fold(model), rows);
-    return macro_f1(confusion_of(rows.label, predictions.label, model.n_classes()));
-}
-
-std::string problem_of(const FeatureTable& rows, const TrainOptions& options) {
-    return message_of([&] { return train(rows, options, key).n_classes(); });
-}
 
 std::string provenance(const Model& model, const std::string& what) {
     for (const auto& [key_, value] : model.provenance)
@@ -130,9 +120,10 @@ TEST_CASE("every regulariser and schedule still learns clouds that lie apart", "
     TrainOptions all = options;
     all.learning_rate = 0.01;
     all.batch_size = 32;
-    const Model model = train(draw({}), all, key);
+    const Model model = train(draw({}), all, training_key);
     CHECK(f1_on(model, draw({.item = 1})) > 0.99);  // a point errs with probability 2e-5
-    CHECK(train(draw({}), all, key).output.weight == model.output.weight);  // the same bytes
+    CHECK(train(draw({}), all, training_key).output.weight ==
+          model.output.weight);  // the same bytes
 }
 
 double mean_confidence(const Model& model, const FeatureTable& rows) {
@@ -146,9 +137,9 @@ TEST_CASE("label smoothing makes a model less sure, by about the share it spread
     const TrainOptions plain{.epochs = 60, .learning_rate = 0.01};
     TrainOptions smoothed = plain;
     smoothed.label_smoothing = 0.3;
-    CHECK(mean_confidence(train(rows, plain, key), rows) > 0.99);
+    CHECK(mean_confidence(train(rows, plain, training_key), rows) > 0.99);
     // The best answer to a target of 0.7 + 0.3 / 3 is that target.
-    CHECK(mean_confidence(train(rows, smoothed, key), rows) == Approx(0.8).margin(0.03));
+    CHECK(mean_confidence(train(rows, smoothed, training_key), rows) == Approx(0.8).margin(0.03));
 }
 
 TEST_CASE("weight decay makes weights smaller", "[train]") {
@@ -160,7 +151,8 @@ TEST_CASE("weight decay makes weights smaller", "[train]") {
         for (const float weight : model.output.weight) sum += double(weight) * double(weight);
         return sum;
     };
-    CHECK(size(train(draw({}), decayed, key)) < 0.7 * size(train(draw({}), plain, key)));
+    CHECK(size(train(draw({}), decayed, training_key)) <
+          0.7 * size(train(draw({}), plain, training_key)));
 }
 
 /// Noise to be learnt by heart: patience must end it.
@@ -179,7 +171,7 @@ TEST_CASE("patience ends a training that only learns noise, and keeps its best",
                                .patience = 5,
                                .held_out = 0.3};
     TrainingCurve curve;
-    const Model model = train(noise(0), options, key, {.curve = &curve});
+    const Model model = train(noise(0), options, training_key, {.curve = &curve});
     REQUIRE(curve.loss.size() == curve.held_out_loss.size());
     CHECK(curve.loss.size() < 60);
     CHECK(static_cast<int>(curve.loss.size()) == curve.best_epoch + 5);
@@ -194,19 +186,19 @@ TEST_CASE("the kept network is that of the best epoch, on rows given from outsid
     TrainOptions options{.hidden = {16}, .epochs = 50, .batch_size = 16, .learning_rate = 0.01};
     options.patience = 4;
     TrainingCurve curve;
-    const Model kept = train(rows, options, key, {.held_out = &held_out, .curve = &curve});
+    const Model kept = train(rows, options, training_key, {.held_out = &held_out, .curve = &curve});
     options.patience = 0;
     options.epochs = curve.best_epoch;  // the same steps, and no more of them
-    const Model again = train(rows, options, key);
+    const Model again = train(rows, options, training_key);
     CHECK(again.output.weight == kept.output.weight);
     CHECK(provenance(kept, "training rows") == "240");
 }
 
 TEST_CASE("in double and in float, training comes to the same score and near weights", "[train]") {
     TrainOptions options{.hidden = {}, .epochs = 20};  // no ReLU, so no kink parts them
-    const Model in_float = train(draw({}), options, key);
+    const Model in_float = train(draw({}), options, training_key);
     options.precision = Precision::float64;
-    const Model in_double = train(draw({}), options, key);
+    const Model in_double = train(draw({}), options, training_key);
     CHECK(provenance(in_double, "precision") == "float64");
     for (std::size_t i = 0; i < in_float.output.weight.size(); ++i)
         CHECK(in_float.output.weight[i] == Approx(in_double.output.weight[i]).margin(1e-5));
@@ -219,7 +211,7 @@ TEST_CASE("a model's provenance names options, stream, loss and version", "[trai
                                .schedule = Schedule::one_cycle,
                                .weight_decay = 0.05,
                                .convolution = {4}},
-                              key);
+                              training_key);
     CHECK(provenance(model, "optimiser") == "adamw");
     CHECK(provenance(model, "schedule") == "one-cycle");
     CHECK(provenance(model, "weight decay") == "0.05");

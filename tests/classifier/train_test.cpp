@@ -8,16 +8,10 @@
 #include "sim/core/error.hpp"
 #include "tests/check.hpp"
 #include "tests/classifier/blobs.hpp"
+#include "tests/classifier/trained_blobs.hpp"
 
 namespace specula {
 namespace {
-
-constexpr StreamKey key{.seed = 5, .purpose = "train test"};
-
-double f1_on(const Model& model, const FeatureTable& rows) {
-    const Predictions predictions = predict(fold(model), rows);
-    return macro_f1(confusion_of(rows.label, predictions.label, model.n_classes()));
-}
 
 /// All numbers of a model, to be compared bit by bit.
 std::vector<float> numbers(const Model& model) {
@@ -38,19 +32,11 @@ std::vector<float> numbers(const Model& model) {
     return all;
 }
 
-std::string problem_of(const FeatureTable& rows, const TrainOptions& options) {
-    try {
-        train(rows, options, key);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
-}
-
 TEST_CASE("clouds that lie apart are told apart, also those not seen in training", "[train]") {
     const auto hidden = GENERATE(values<std::vector<int>>({{}, {8}, {16, 16}, {8, 8, 8}}));
-    const Model model = train(
-        draw({}), {.hidden = hidden, .epochs = 60, .batch_size = 32, .learning_rate = 0.01}, key);
+    const Model model =
+        train(draw({}), {.hidden = hidden, .epochs = 60, .batch_size = 32, .learning_rate = 0.01},
+              training_key);
     CAPTURE(hidden.size());
     // Clouds 6 sqrt(2) apart: a point errs with probability 2 * 1e-5.
     CHECK(f1_on(model, draw({.item = 1})) > 0.99);
@@ -64,22 +50,24 @@ TEST_CASE("rows may come sorted by class: every epoch shuffles them", "[train]")
             if (rows.label[i] == label) sorted.push_back(i);
     const TrainOptions options{.epochs = 60, .batch_size = 32, .learning_rate = 0.01};
     // Batches of one class would all be normalised to the same cloud.
-    CHECK(f1_on(train(select_rows(rows, sorted), options, key), draw({.item = 1})) > 0.99);
+    CHECK(f1_on(train(select_rows(rows, sorted), options, training_key), draw({.item = 1})) > 0.99);
 }
 
 TEST_CASE("clouds on top of each other are guessed at", "[train]") {
-    const Model model = train(draw({.distance = 0.0}), {.epochs = 10}, key);
+    const Model model = train(draw({.distance = 0.0}), {.epochs = 10}, training_key);
     const double f1 = f1_on(model, draw({.n_rows = 3000, .distance = 0.0, .item = 1}));
     CHECK(f1 < 0.37);  // one in three, and 4 standard deviations (0.0086 each) of the count
 }
 
-TEST_CASE("the same rows, options and key give the same bytes, in parallel too", "[train]") {
+TEST_CASE("the same rows, options and training_key give the same bytes, in parallel too",
+          "[train]") {
     const FeatureTable rows = draw({});
     const TrainOptions options{.epochs = 5};
-    const Model reference = train(rows, options, key);
+    const Model reference = train(rows, options, training_key);
     std::vector<Model> others(3);
     std::vector<std::thread> threads;
-    for (Model& other : others) threads.emplace_back([&] { other = train(rows, options, key); });
+    for (Model& other : others)
+        threads.emplace_back([&] { other = train(rows, options, training_key); });
     for (std::thread& thread : threads) thread.join();
     for (const Model& other : others) CHECK(numbers(other) == numbers(reference));
 }
@@ -87,14 +75,14 @@ TEST_CASE("the same rows, options and key give the same bytes, in parallel too",
 TEST_CASE("another seed, world or item gives another model", "[train]") {
     const FeatureTable rows = draw({});
     const TrainOptions options{.epochs = 1};
-    const auto reference = numbers(train(rows, options, key));
-    StreamKey other = key;
+    const auto reference = numbers(train(rows, options, training_key));
+    StreamKey other = training_key;
     other.seed = 6;
     CHECK(numbers(train(rows, options, other)) != reference);
-    other = key;
+    other = training_key;
     other.world = 1;
     CHECK(numbers(train(rows, options, other)) != reference);
-    other = key;
+    other = training_key;
     other.item = 1;
     CHECK(numbers(train(rows, options, other)) != reference);
 }
@@ -103,21 +91,21 @@ TEST_CASE("rows that do not fill the last batch are trained on without harm", "[
     const std::size_t n_rows = GENERATE(2u, 3u, 33u, 47u, 49u, 65u);
     FeatureTable rows = draw({.n_rows = n_rows});
     for (std::size_t i = 0; i < n_rows; ++i) rows.label[i] = static_cast<std::uint8_t>(i % 3);
-    const Model model = train(rows, {.epochs = 3, .batch_size = 32}, key);
+    const Model model = train(rows, {.epochs = 3, .batch_size = 32}, training_key);
     for (const float number : numbers(model)) REQUIRE(std::isfinite(number));
 }
 
 TEST_CASE("a constant feature has no say, whatever it does later", "[train]") {
     FeatureTable rows = draw({});
     for (std::size_t i = 0; i < rows.size(); ++i) rows.features[i * 4 + 3] = 2.0f;
-    const FoldedModel model = fold(train(rows, {.epochs = 5}, key));
+    const FoldedModel model = fold(train(rows, {.epochs = 5}, training_key));
     FeatureTable moved = rows;
     for (std::size_t i = 0; i < rows.size(); ++i) moved.features[i * 4 + 3] = 1e6f;
     CHECK(predict(model, moved).logits == predict(model, rows).logits);
 }
 
 TEST_CASE("a model knows its extractor, its classes and how it was trained", "[train]") {
-    const Model model = train(draw({}), {.epochs = 1}, key);
+    const Model model = train(draw({}), {.epochs = 1}, training_key);
     CHECK(model.extractor == "blobs");
     CHECK(model.class_names == std::vector<std::string>{"cloud 0", "cloud 1", "cloud 2"});
     CHECK(model.provenance.front() == std::pair<std::string, std::string>{"training rows", "300"});

@@ -4,43 +4,42 @@
 #include "sim/core/document.hpp"
 #include "tests/check.hpp"
 #include "tests/message_of.hpp"
+#include "tests/section_of.hpp"
 
 namespace specula {
 namespace {
 
-Section parse(const std::string& text) {
-    return Section::parse(text, "x.toml");
-}
-
 std::string length_error(const std::string& text, Range range) {
-    return message_of([&] { return parse(text).quantity("height", Unit::length, range); });
+    return message_of([&] { return section_of(text).quantity("height", Unit::length, range); });
 }
 
 TEST_CASE("a quantity is the same under every suffix of its unit", "[document][quantity]") {
     constexpr double ulp = 2.3e-16;  // the factor of the suffix is rounded, and the product is
     for (const char* text : {"height_mm = 450", "height_m = 0.45", "height_cm = 45.0",
                              "height_um = 450_000", "height_mm = 4.5e2"})
-        CHECK(parse(text).quantity("height", Unit::length, Range::any()) ==
+        CHECK(section_of(text).quantity("height", Unit::length, Range::any()) ==
               Approx(0.45).epsilon(ulp));
-    CHECK(parse("tilt_deg = 180").quantity("tilt", Unit::angle, Range::any()) == Approx(pi));
-    CHECK(parse("slope_mhz_per_us = 150").quantity("slope", Unit::slope, Range::any()) == 150e12);
-    CHECK(parse("gain_db = -3").quantity("gain", Unit::ratio_db, Range::any()) == -3.0);
+    CHECK(section_of("tilt_deg = 180").quantity("tilt", Unit::angle, Range::any()) == Approx(pi));
+    CHECK(section_of("slope_mhz_per_us = 150").quantity("slope", Unit::slope, Range::any()) ==
+          150e12);
+    CHECK(section_of("gain_db = -3").quantity("gain", Unit::ratio_db, Range::any()) == -3.0);
 }
 
 TEST_CASE("a fallback of a quantity is in SI and only for a missing one", "[document][quantity]") {
-    CHECK(parse("").quantity("height", Unit::length, Range::any(), 0.45) == 0.45);
-    CHECK_THROWS_AS(parse("height_mm = 'x'").quantity("height", Unit::length, Range::any(), 0.45),
-                    InputError);
-    CHECK(parse("").distribution("height", Unit::length, Range::any(), 0.45).median() == 0.45);
-    CHECK_FALSE(parse("height_deg = 1").has_quantity("height", Unit::length));
-    CHECK(parse("height_um = 1").has_quantity("height", Unit::length));
+    CHECK(section_of("").quantity("height", Unit::length, Range::any(), 0.45) == 0.45);
+    CHECK_THROWS_AS(
+        section_of("height_mm = 'x'").quantity("height", Unit::length, Range::any(), 0.45),
+        InputError);
+    CHECK(section_of("").distribution("height", Unit::length, Range::any(), 0.45).median() == 0.45);
+    CHECK_FALSE(section_of("height_deg = 1").has_quantity("height", Unit::length));
+    CHECK(section_of("height_um = 1").has_quantity("height", Unit::length));
 }
 
 TEST_CASE("one quantity in two units is refused", "[document][quantity]") {
     CHECK(length_error("height_mm = 450\nheight_m = 0.45", Range::any()) ==
           "x.toml:2: height_m = 0.45: is given twice, as height_mm too; keep one of them");
     CHECK(message_of([] {
-              return parse("[a]\nheight_mm = 1\nheight_cm = 1")
+              return section_of("[a]\nheight_mm = 1\nheight_cm = 1")
                   .section("a")
                   .quantity("height", Unit::length, Range::any(), 1.0);
           }) == "x.toml:3: a.height_cm = 1: is given twice, as a.height_mm too; keep one of them");
@@ -59,7 +58,7 @@ TEST_CASE("a quantity without a unit, or with one of another kind, is told its u
           "write height_mm, height_m, height_cm or height_um");
     const auto optional_tilt = [](const std::string& text) {
         return message_of([&] {
-            Section section = parse(text);
+            Section section = section_of(text);
             (void)section.quantity("tilt", Unit::angle, Range::any(), 0.0);
             (void)section.text("tilted", "");
             section.finish();
@@ -87,7 +86,7 @@ TEST_CASE("a range is told in the unit of the key", "[document][quantity]") {
     CHECK(length_error("height_mm = 'tall'", Range{.max = 2.0}) ==
           "x.toml:1: height_mm = \"tall\": is not a number; give a number at most 2000 mm");
     CHECK(message_of([] {
-              return parse("t_deg = 95")
+              return section_of("t_deg = 95")
                   .quantity("t", Unit::angle, Range::between(-pi, 85 * pi / 180));
           }) ==
           "x.toml:1: t_deg = 95: is out of range; "
@@ -99,7 +98,7 @@ TEST_CASE("a value at the stated bound is taken, in every unit", "[document][qua
         for (const UnitSuffix& suffix : suffixes_of(Unit::angle)) {
             const std::string key = "t_" + std::string(suffix.suffix);
             const auto read = [&](const std::string& value) {
-                return parse(key + " = " + value)
+                return section_of(key + " = " + value)
                     .quantity("t", Unit::angle, Range::between(-bound, bound));
             };
             const std::string told = message_of([&] { return read("1e3"); });
@@ -118,17 +117,18 @@ TEST_CASE("a value at the stated bound is taken, in every unit", "[document][qua
          {Bound{10.0, "h_mm = 10_000"}, Bound{0.1, "h_um = 100_000"}, Bound{0.05, "h_mm = 50"},
           Bound{0.05, "h_um = 50_000"}, Bound{0.05, "h_cm = 5"}, Bound{0.002, "h_um = 2000"},
           Bound{0.002, "h_cm = 0.2"}, Bound{1e-3, "h_um = 1000"}, Bound{0.3, "h_cm = 30"}})
-        CHECK(parse(text).quantity("h", Unit::length, Range::between(0.0, bound_m)) ==
+        CHECK(section_of(text).quantity("h", Unit::length, Range::between(0.0, bound_m)) ==
               Approx(bound_m));
 }
 
 TEST_CASE("an excluded bound is out of range, its neighbour is in", "[document][quantity]") {
-    CHECK_THROWS_AS(parse("h_m = 0").quantity("h", Unit::length, Range::above(0.0)), InputError);
-    CHECK_THROWS_AS(parse("h_m = 2").quantity("h", Unit::length, Range::inside(0.0, 2.0)),
+    CHECK_THROWS_AS(section_of("h_m = 0").quantity("h", Unit::length, Range::above(0.0)),
                     InputError);
-    CHECK(parse("h_m = 0").quantity("h", Unit::length, Range::at_least(0.0)) == 0.0);
-    CHECK(parse("h_m = 1e-300").quantity("h", Unit::length, Range::above(0.0)) == 1e-300);
-    CHECK_THROWS_AS(parse("t_deg = 90").quantity("t", Unit::angle, Range::inside(0.0, pi / 2)),
+    CHECK_THROWS_AS(section_of("h_m = 2").quantity("h", Unit::length, Range::inside(0.0, 2.0)),
+                    InputError);
+    CHECK(section_of("h_m = 0").quantity("h", Unit::length, Range::at_least(0.0)) == 0.0);
+    CHECK(section_of("h_m = 1e-300").quantity("h", Unit::length, Range::above(0.0)) == 1e-300);
+    CHECK_THROWS_AS(section_of("t_deg = 90").quantity("t", Unit::angle, Range::inside(0.0, pi / 2)),
                     InputError);
 }
 
@@ -141,28 +141,30 @@ TEST_CASE("what is not a finite number is in no range", "[document][quantity]") 
     CHECK(length_error("height_mm = nan", Range::any()) ==
           "x.toml:1: height_mm = nan: is not a finite number; give a value that is finite");
     // Finite as written, but not in SI.
-    CHECK_THROWS_AS(parse("f_ghz = 1e308").quantity("f", Unit::frequency, Range::any()),
+    CHECK_THROWS_AS(section_of("f_ghz = 1e308").quantity("f", Unit::frequency, Range::any()),
                     InputError);
-    CHECK_THROWS_AS(parse("v = nan").number("v", Range::any()), InputError);
+    CHECK_THROWS_AS(section_of("v = nan").number("v", Range::any()), InputError);
     CHECK_FALSE(Range::any().holds(std::nan("")));
     CHECK_FALSE(Range::any().holds(INFINITY));
 }
 
 TEST_CASE("lists of quantities are in the unit of their key", "[document][quantity]") {
-    CHECK(parse("size_mm = [300, 200.5]").quantities("size", Unit::length, 2, Range::above(0.0)) ==
+    CHECK(section_of("size_mm = [300, 200.5]")
+              .quantities("size", Unit::length, 2, Range::above(0.0)) ==
           std::vector<double>{300 * 1e-3, 200.5 * 1e-3});
     CHECK(message_of([] {
-              return parse("size_mm = [300, 0]")
+              return section_of("size_mm = [300, 0]")
                   .quantities("size", Unit::length, 2, Range::above(0.0));
           }) == "x.toml:1: size_mm = [300, 0]: is out of range; give a value above 0 mm");
     CHECK(message_of([] {
-              return parse("size_mm = 300").quantities("size", Unit::length, 2, Range::above(0.0));
+              return section_of("size_mm = 300")
+                  .quantities("size", Unit::length, 2, Range::above(0.0));
           }) ==
           "x.toml:1: size_mm = 300: is not a list of the right length; give 2 numbers: [...]");
 }
 
 Distribution length_law(const std::string& value) {
-    return parse("d_mm = " + value).distribution("d", Unit::length, Range::inside(0.0, 1.0));
+    return section_of("d_mm = " + value).distribution("d", Unit::length, Range::inside(0.0, 1.0));
 }
 
 std::string law_error(const std::string& value) {
@@ -181,9 +183,9 @@ TEST_CASE("laws are read in the unit of the key, their ratios without one", "[do
     CHECK(factor.median == 5e-3);
     CHECK(factor.ratio == 1.5);
     const auto plain =
-        parse("f = { factor = [2, 1.5] }").factor("f", Range::inside(0.5, 3.0), 1.0).law();
+        section_of("f = { factor = [2, 1.5] }").factor("f", Range::inside(0.5, 3.0), 1.0).law();
     CHECK(std::get<Distribution::Factor>(plain).median == 2.0);
-    CHECK(parse("").factor("f", Range::any(), 1.0).median() == 1.0);
+    CHECK(section_of("").factor("f", Range::any(), 1.0).median() == 1.0);
 }
 
 TEST_CASE("laws that cannot be are refused with what they want", "[document][law]") {

@@ -14,7 +14,7 @@ constexpr float highest_x = 88.72283F;
 constexpr float lowest_x = -87.336544F;
 
 /// Distance from the true exponential, in gaps between floats at its place.
-double error_ulp(float x) {
+double exp_error_ulp(float x) {
     const double truth = std::exp(static_cast<double>(x));
     int exponent = 0;
     std::frexp(truth, &exponent);
@@ -28,7 +28,7 @@ double worst_error_ulp(float last) {
     const auto end = std::bit_cast<std::uint32_t>(last) & 0x7FFFFFFFU;
     double worst = 0;
     for (std::uint32_t bits = 0; bits <= end; bits += 4099) {
-        worst = std::max(worst, error_ulp(std::bit_cast<float>(bits | sign)));
+        worst = std::max(worst, exp_error_ulp(std::bit_cast<float>(bits | sign)));
     }
     return worst;
 }

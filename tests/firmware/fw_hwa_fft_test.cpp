@@ -19,7 +19,7 @@ constexpr fw_hwa_config as_ti{.n_samples = 128,
                               .scaled_stages = FW_HWA_DEFAULT_SCALED_STAGES,
                               .output_shift = FW_HWA_DEFAULT_OUTPUT_SHIFT};
 
-struct Spectrum {
+struct HwaSpectrum {
     std::vector<std::int16_t> im_re;
     fw_hwa_saturation cut{};
 
@@ -28,10 +28,10 @@ struct Spectrum {
     }
 };
 
-Spectrum spectrum(const std::vector<std::int16_t>& samples, const fw_hwa_config& config) {
+HwaSpectrum spectrum(const std::vector<std::int16_t>& samples, const fw_hwa_config& config) {
     const std::size_t bytes = fw_hwa_fft_scratch(config.n_samples);
     std::vector<std::int32_t> scratch(bytes / 4);
-    Spectrum result;
+    HwaSpectrum result;
     result.im_re.resize(fw_range_fft_size(config.n_samples));
     REQUIRE(fw_hwa_fft(samples.data(), &config, scratch.data(), bytes, result.im_re.data(),
                        &result.cut) == FW_OK);

@@ -10,9 +10,6 @@
 
 namespace {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
-constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
-
 /// A network with random weights that owns its arrays.
 struct Network {
     std::vector<std::vector<float>> weights, biases;
@@ -124,7 +121,7 @@ TEST_CASE("scratch is two arrays of the widest layer and nothing behind it is wr
     const auto widest_in = Network({20, 8, 5}), widest_out = Network({3, 4, 20});
     for (const auto* network : {&widest_in, &widest_out}) {
         CHECK(fw_mlp_scratch(&network->mlp) == 2 * 20 * sizeof(float));
-        std::vector<float> scratch(41, not_a_number), logits(20);
+        std::vector<float> scratch(41, oracle::not_a_number), logits(20);
         scratch.back() = 42;
         const auto features = oracle::random_values(20, 51);
         REQUIRE(fw_mlp_run(&network->mlp, features.data(), scratch.data(), 160, logits.data(),
@@ -159,7 +156,7 @@ TEST_CASE("what is not finite is refused, on the way in and on the way out", "[f
         return fw_mlp_run(&mlp, features.data(), scratch.data(), 32, logits.data(),
                           probabilities.data());
     };
-    for (const float bad : {infinity, -infinity, not_a_number}) {
+    for (const float bad : {oracle::infinity, -oracle::infinity, oracle::not_a_number}) {
         CHECK(status(network.mlp, {0, bad, 0}) == FW_ERR_NONFINITE);
     }
 

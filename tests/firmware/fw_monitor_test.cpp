@@ -10,8 +10,6 @@
 
 namespace {
 
-constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
-
 /// A spread in two dimensions: S = [[4, 2], [2, 5]], whose whitening is worked by hand.
 /// L = [[2, 0], [1, 2]], W = L^-1 = [[1/2, 0], [-1/4, 1/2]].
 struct Plane {
@@ -72,7 +70,7 @@ TEST_CASE("the largest logit is found, and nothing gives 0", "[firmware]") {
 TEST_CASE("monitors refuse what is missing, empty or not finite", "[firmware]") {
     const Plane plane;
     auto monitor = plane.monitor;
-    std::array<float, 2> features{1, not_a_number};
+    std::array<float, 2> features{1, oracle::not_a_number};
     float result = -1;
     CHECK(fw_mahalanobis_squared(&monitor, features.data(), &result) == FW_ERR_NONFINITE);
     features = {3e38F, -3e38F};
@@ -86,7 +84,7 @@ TEST_CASE("monitors refuse what is missing, empty or not finite", "[firmware]") 
     CHECK(fw_mahalanobis_squared(&monitor, features.data(), &result) == FW_ERR_NULL);
     CHECK(fw_energy(features.data(), 0, &result) == FW_ERR_SHAPE);
     CHECK(fw_energy(nullptr, 2, &result) == FW_ERR_NULL);
-    features = {1, not_a_number};
+    features = {1, oracle::not_a_number};
     CHECK(fw_energy(features.data(), 2, &result) == FW_ERR_NONFINITE);
     CHECK(result == -1.0F);
 }

@@ -12,9 +12,6 @@
 
 namespace {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
-constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
-
 std::vector<float> scaled(std::vector<float> values, float factor) {
     for (auto& value : values) value *= factor;
     return values;
@@ -64,7 +61,7 @@ TEST_CASE("softmax may overwrite its own logits", "[firmware]") {
 
 TEST_CASE("softmax refuses what is not a vector of finite numbers", "[firmware]") {
     std::array<float, 2> probabilities{-1, -1};
-    for (const float bad : {infinity, -infinity, not_a_number}) {
+    for (const float bad : {oracle::infinity, -oracle::infinity, oracle::not_a_number}) {
         const std::array logits{0.0F, bad};
         CHECK(fw_softmax(logits.data(), 2, probabilities.data()) == FW_ERR_NONFINITE);
     }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <complex>
 #include <cstdint>
+#include <limits>
 #include <numbers>
 #include <random>
 #include <vector>
@@ -12,6 +13,9 @@
 #include "firmware/fw_window.h"
 
 namespace oracle {
+
+inline constexpr float infinity = std::numeric_limits<float>::infinity();
+inline constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
 /// Half the gap between 1 and the next float: the relative error of one float operation.
 inline constexpr double unit_roundoff = 0x1p-24;

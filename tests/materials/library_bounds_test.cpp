@@ -5,15 +5,11 @@
 #include "materials/validity.hpp"
 #include "sim/core/constants.hpp"
 #include "tests/check.hpp"
+#include "tests/project_library.hpp"
 #include "tests/reference_case.hpp"
 
 namespace specula {
 namespace {
-
-const Library& library() {
-    static const Library held(SPECULA_SOURCE_DIR "/materials/library");
-    return held;
-}
 
 /// All frequencies, angles and grains for one material.
 template <typename Check>

@@ -8,16 +8,12 @@
 #include "tests/check.hpp"
 #include "tests/made_up_folder.hpp"
 #include "tests/message_of.hpp"
+#include "tests/project_library.hpp"
 
 namespace specula {
 namespace {
 
 using namespace literals;
-
-const Library& library() {
-    static const Library read(SPECULA_SOURCE_DIR "/materials/library");
-    return read;
-}
 
 TEST_CASE("every material of the library says where its numbers are from and where they hold",
           "[library]") {

@@ -4,14 +4,10 @@
 #include "tests/check.hpp"
 #include "tests/made_up_folder.hpp"
 #include "tests/message_of.hpp"
+#include "tests/project_library.hpp"
 
 namespace specula {
 namespace {
-
-const Library& library() {
-    static const Library held(SPECULA_SOURCE_DIR "/materials/library");
-    return held;
-}
 
 const std::string metal =
     "title = 'x'\nsource = 'y'\nvalid_ghz = [20, 300]\nmodel = 'conductive'\n"

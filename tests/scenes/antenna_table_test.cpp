@@ -8,19 +8,16 @@
 #include "tests/check.hpp"
 #include "tests/made_up_folder.hpp"
 #include "tests/message_of.hpp"
+#include "tests/scenes/decibel_of_power.hpp"
 
 namespace specula {
 namespace {
 
 constexpr double rad_per_deg = pi / 180.0;
 
-Vector3 towards(double azimuth_deg, double elevation_deg) {
+Vector3 towards_deg(double azimuth_deg, double elevation_deg) {
     const double a = azimuth_deg * rad_per_deg, e = elevation_deg * rad_per_deg;
     return {std::cos(e) * std::sin(a), std::sin(e), -std::cos(e) * std::cos(a)};
-}
-
-double decibel(double ratio) {
-    return 10.0 * std::log10(ratio);
 }
 
 /// A patch as a table over most of the half space in front.
@@ -28,7 +25,8 @@ std::string table_of(const PatchPattern& patch, double step_deg, double lift_db)
     std::string text = "azimuth_deg,elevation_deg,gain_dbi\n";
     for (double e = -85.0; e <= 85.0; e += step_deg)
         for (double a = -85.0; a <= 85.0; a += step_deg)
-            text += format("{},{},{}\n", a, e, decibel(patch.gain(towards(a, e))) + lift_db);
+            text += format("{},{},{}\n", a, e,
+                           decibel_of_power(patch.gain(towards_deg(a, e))) + lift_db);
     return text;
 }
 
@@ -40,10 +38,10 @@ TEST_CASE("a patch sampled every 5 degrees is the patch within its interpolation
     for (const double a : {-31.0, -5.0, 0.0, 12.5, 44.0})
         for (const double e : {-22.0, 0.0, 2.5, 20.0})
             // Straight lines in dB: step^2/8 times the curvature 4.3 n / cos^2, n = 6.9, at most.
-            CHECK(decibel(table.gain(towards(a, e)) / patch.gain(towards(a, e))) ==
+            CHECK(decibel_of_power(table.gain(towards_deg(a, e)) / patch.gain(towards_deg(a, e))) ==
                   Approx(0.0).margin(0.05));
-    CHECK(table.gain(towards(0.0, 89.0)) == 0.0);
-    CHECK(table.gain(towards(180.0, 0.0)) == 0.0);
+    CHECK(table.gain(towards_deg(0.0, 89.0)) == 0.0);
+    CHECK(table.gain(towards_deg(180.0, 0.0)) == 0.0);
     CHECK(radiated_share(table) == Approx(radiated_share(patch)).epsilon(0.01));
 }
 

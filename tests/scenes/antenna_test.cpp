@@ -8,15 +8,12 @@
 #include "tests/check.hpp"
 #include "tests/message_of.hpp"
 #include "tests/reference_case.hpp"
+#include "tests/scenes/decibel_of_power.hpp"
 
 namespace specula {
 namespace {
 
 using namespace literals;
-
-double decibel(double ratio) {
-    return 10.0 * std::log10(ratio);
-}
 
 /// The direction at an azimuth and elevation of the radar's own frame.
 Vector3 towards(double azimuth_rad, double elevation_rad) {
@@ -52,13 +49,16 @@ TEST_CASE("a patch has its gain ahead and a quarter of it at its half widths", "
     const PatchPattern patch{
         .gain_dbi = 5.5, .half_width_azimuth_rad = 60.0_deg, .half_width_elevation_rad = 35.0_deg};
     constexpr double rounding = 1e-12;  // of a power and its logarithm
-    CHECK(decibel(patch.gain(towards(0.0, 0.0))) == Approx(5.5).epsilon(rounding));
+    CHECK(decibel_of_power(patch.gain(towards(0.0, 0.0))) == Approx(5.5).epsilon(rounding));
     for (const double sign : {-1.0, 1.0}) {
-        CHECK(decibel(patch.gain(towards(sign * 60.0_deg, 0.0))) == Approx(-0.5).epsilon(rounding));
-        CHECK(decibel(patch.gain(towards(0.0, sign * 35.0_deg))) == Approx(-0.5).epsilon(rounding));
+        CHECK(decibel_of_power(patch.gain(towards(sign * 60.0_deg, 0.0))) ==
+              Approx(-0.5).epsilon(rounding));
+        CHECK(decibel_of_power(patch.gain(towards(0.0, sign * 35.0_deg))) ==
+              Approx(-0.5).epsilon(rounding));
     }
     // Azimuth and elevation multiply.
-    CHECK(decibel(patch.gain(towards(60.0_deg, 35.0_deg))) == Approx(-6.5).epsilon(rounding));
+    CHECK(decibel_of_power(patch.gain(towards(60.0_deg, 35.0_deg))) ==
+          Approx(-6.5).epsilon(rounding));
 }
 
 TEST_CASE("a patch radiates nothing sideways or behind, and no direction is not a number",
@@ -76,7 +76,7 @@ TEST_CASE("a patch radiates nothing sideways or behind, and no direction is not 
 TEST_CASE("an isotropic antenna has one gain everywhere", "[antenna]") {
     const IsotropicPattern antenna{.gain_dbi = 3.0};
     for (const Vector3& direction : {towards(0.0, 0.0), towards(1.0, -1.0), Vector3(0.0, 0.0, 1.0)})
-        CHECK(decibel(antenna.gain(direction)) == Approx(3.0).epsilon(1e-12));
+        CHECK(decibel_of_power(antenna.gain(direction)) == Approx(3.0).epsilon(1e-12));
     CHECK(gain_towards(Pattern(IsotropicPattern{}), towards(0.3, 0.2)) == 1.0);
 }
 
@@ -109,7 +109,7 @@ TEST_CASE("an antenna section is read by its pattern", "[antenna]") {
     const Pattern patch = read(
         "pattern = 'patch'\ngain_dbi = 5.5\nhalf_width_azimuth_deg = 60\n"
         "half_width_elevation_deg = 35");
-    CHECK(decibel(gain_towards(patch, towards(0.0, 35.0_deg))) == Approx(-0.5));
+    CHECK(decibel_of_power(gain_towards(patch, towards(0.0, 35.0_deg))) == Approx(-0.5));
     CHECK(message_of([&] {
               return read("pattern = 'isotropic'\ngain_dbi = 0\nhalf_width_azimuth_deg = 60");
           }) == "x.toml:3: half_width_azimuth_deg = 60: is not a key of this file; remove it");

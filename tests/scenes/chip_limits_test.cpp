@@ -4,20 +4,10 @@
 #include "tests/check.hpp"
 #include "tests/made_up_folder.hpp"
 #include "tests/message_of.hpp"
+#include "tests/scenes/boost_file.hpp"
 
 namespace specula {
 namespace {
-
-const std::string boost_text = project_file("scenes/radars/iwrl6432boost.toml");
-
-/// What reading the board's file says once edited, from the key on.
-std::string error_with(const std::string& from, const std::string& to) {
-    const MadeUpFolder folder;
-    const auto file = folder.with("x.toml", edited(boost_text, from, to));
-    const std::string message = message_of([&] { return read_radar(file); });
-    const auto at = message.find(": ");
-    return at == std::string::npos ? message : message.substr(at + 2);
-}
 
 TEST_CASE("a chirp that the chip cannot make is refused, naming its limit", "[radar][limits]") {
     CHECK(error_with("start_ghz        = 57.5", "start_ghz = 60") ==

@@ -11,38 +11,43 @@ namespace {
 using namespace literals;
 
 // The chirp of the IWRL6432BOOST: 57.5 GHz, 150 MHz/us, 5 MHz, 128 samples, 17 of them settling.
-const Chirp boost;
+const Chirp boost_chirp;
 
-constexpr double rounding = 1e-14;
+constexpr double chirp_rounding = 1e-14;
 
 TEST_CASE("the board's chirp sweeps 3.84 GHz in bins of 3.90 cm", "[chirp]") {
-    CHECK(boost.bandwidth_hz() == Approx(150e12 * 128 / 5e6).epsilon(rounding));
-    CHECK(boost.bandwidth_hz() == Approx(3.84_GHz).epsilon(rounding));
-    CHECK(boost.bin_m() == Approx(3.90_cm).epsilon(2e-3));
-    CHECK(boost.bin_m() == Approx(speed_of_light_m_s / (2.0 * 3.84e9)).epsilon(rounding));
+    CHECK(boost_chirp.bandwidth_hz() == Approx(150e12 * 128 / 5e6).epsilon(chirp_rounding));
+    CHECK(boost_chirp.bandwidth_hz() == Approx(3.84_GHz).epsilon(chirp_rounding));
+    CHECK(boost_chirp.bin_m() == Approx(3.90_cm).epsilon(2e-3));
+    CHECK(boost_chirp.bin_m() ==
+          Approx(speed_of_light_m_s / (2.0 * 3.84e9)).epsilon(chirp_rounding));
 }
 
 TEST_CASE("45 cm lie in bin 11.5 and beat at 450 kHz", "[chirp]") {
-    CHECK(boost.bin_of(0.45) == Approx(11.5).epsilon(3e-3));
-    CHECK(boost.beat_hz(0.45) == Approx(450e3).epsilon(1e-3));
+    CHECK(boost_chirp.bin_of(0.45) == Approx(11.5).epsilon(3e-3));
+    CHECK(boost_chirp.beat_hz(0.45) == Approx(450e3).epsilon(1e-3));
     // Two ways to the same number: beats of one bin are a transform's spacing apart.
-    CHECK(boost.beat_hz(boost.bin_m()) == Approx(5e6 / 128).epsilon(rounding));
-    CHECK(boost.bin_of(0.45) == Approx(boost.beat_hz(0.45) * 128 / 5e6).epsilon(rounding));
+    CHECK(boost_chirp.beat_hz(boost_chirp.bin_m()) == Approx(5e6 / 128).epsilon(chirp_rounding));
+    CHECK(boost_chirp.bin_of(0.45) ==
+          Approx(boost_chirp.beat_hz(0.45) * 128 / 5e6).epsilon(chirp_rounding));
 }
 
 TEST_CASE("samples sit on the ramp: the first after settling, the centre in the middle",
           "[chirp]") {
-    CHECK(boost.settle_samples() == 17);
-    CHECK(boost.frequency_hz(-17) == 57.5_GHz);
-    CHECK(boost.frequency_hz(0) == Approx(57.5e9 + 150e12 * 17 / 5e6).epsilon(rounding));
-    CHECK(boost.frequency_hz(128) - boost.frequency_hz(0) ==
-          Approx(boost.bandwidth_hz()).epsilon(1e-9));  // a difference of 60 GHz numbers
-    CHECK(boost.centre_hz() == Approx(boost.frequency_hz(64)).epsilon(rounding));
+    CHECK(boost_chirp.settle_samples() == 17);
+    CHECK(boost_chirp.frequency_hz(-17) == 57.5_GHz);
+    CHECK(boost_chirp.frequency_hz(0) ==
+          Approx(57.5e9 + 150e12 * 17 / 5e6).epsilon(chirp_rounding));
+    CHECK(boost_chirp.frequency_hz(128) - boost_chirp.frequency_hz(0) ==
+          Approx(boost_chirp.bandwidth_hz()).epsilon(1e-9));  // a difference of 60 GHz numbers
+    CHECK(boost_chirp.centre_hz() == Approx(boost_chirp.frequency_hz(64)).epsilon(chirp_rounding));
 }
 
 TEST_CASE("the farthest range beats at 0.45 of the sample rate", "[chirp]") {
-    CHECK(boost.beat_hz(boost.max_range_m()) == Approx(0.45 * 5e6).epsilon(rounding));
-    CHECK(boost.bin_of(boost.max_range_m()) == Approx(0.45 * 128).epsilon(rounding));
+    CHECK(boost_chirp.beat_hz(boost_chirp.max_range_m()) ==
+          Approx(0.45 * 5e6).epsilon(chirp_rounding));
+    CHECK(boost_chirp.bin_of(boost_chirp.max_range_m()) ==
+          Approx(0.45 * 128).epsilon(chirp_rounding));
 }
 
 std::string with(const std::string& key, const std::string& value) {
@@ -60,7 +65,7 @@ std::string with(const std::string& key, const std::string& value) {
     return text;
 }
 
-Chirp read(const std::string& text) {
+Chirp chirp_in(const std::string& text) {
     Section section = Section::parse(text, "x.toml");
     Chirp chirp = Chirp::read(section);
     section.finish();
@@ -68,17 +73,17 @@ Chirp read(const std::string& text) {
 }
 
 TEST_CASE("a chirp's section reads into SI", "[chirp]") {
-    const Chirp chirp = read(with("", ""));
+    const Chirp chirp = chirp_in(with("", ""));
     CHECK(chirp.start_hz == 57.5e9);
     CHECK(chirp.slope_hz_s == 150e12);
     CHECK(chirp.sample_rate_hz == 5e6);
     CHECK(chirp.ramp_end_s == Approx(33e-6));
-    CHECK(chirp.bandwidth_hz() == boost.bandwidth_hz());
+    CHECK(chirp.bandwidth_hz() == boost_chirp.bandwidth_hz());
 }
 
 TEST_CASE("a chirp that cannot be is refused at the key to change", "[chirp]") {
     const auto error = [](const std::string& key, const std::string& value) {
-        return message_of([&] { return read(with(key, value)); });
+        return message_of([&] { return chirp_in(with(key, value)); });
     };
     CHECK(error("n_samples", "100") ==
           "x.toml:4: n_samples = 100: is not a power of two, so range bins would be padded ones; "

@@ -10,13 +10,13 @@
 namespace specula {
 namespace {
 
-MeshFile read(const std::string& name, const std::string& content) {
+MeshFile mesh_in(const std::string& name, const std::string& content) {
     const MadeUpFolder folder;
     return read_mesh(folder.with(name, content), 1e-3);
 }
 
 /// What reading says, without the folder of the file.
-std::string error_of(const std::string& name, const std::string& content) {
+std::string mesh_error(const std::string& name, const std::string& content) {
     const MadeUpFolder folder;
     const auto file = folder.with(name, content);
     const std::string message = message_of([&] { return read_mesh(file, 1e-3); });
@@ -36,7 +36,7 @@ double area_m2(const Mesh& mesh) {
 TEST_CASE("a tetrahedron is the same from every format", "[mesh]") {
     for (const auto& [name, content] : tetrahedron_files()) {
         INFO(name);
-        const MeshFile file = read(name, content);
+        const MeshFile file = mesh_in(name, content);
         CHECK(file.mesh.vertices_m.size() == 4);
         CHECK(file.mesh.triangles.size() == 4);
         CHECK(file.is_watertight);
@@ -51,47 +51,48 @@ TEST_CASE("a tetrahedron is the same from every format", "[mesh]") {
 
 TEST_CASE("vertices of an OBJ may be counted back, carry textures, and end lines as on Windows",
           "[mesh]") {
-    const MeshFile file = read("a.obj",
-                               "mtllib a.mtl\r\nv 0 0 0\r\nv 1 0 0 1.0\r\nvt 0 0\r\nv +0 1e0 0\r\n"
-                               "f -3/1 -2/1/1 -1//1\r\n");
+    const MeshFile file =
+        mesh_in("a.obj",
+                "mtllib a.mtl\r\nv 0 0 0\r\nv 1 0 0 1.0\r\nvt 0 0\r\nv +0 1e0 0\r\n"
+                "f -3/1 -2/1/1 -1//1\r\n");
     CHECK(file.mesh.triangles.size() == 1);
     CHECK(area_m2(file.mesh) == Approx(0.5e-6));
 }
 
 TEST_CASE("flat convex polygons become triangles of the same area, others are refused", "[mesh]") {
     const std::string square = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 1 0.5 0\nv 2 2 1\n";
-    CHECK(area_m2(read("a.obj", square + "f 1 2 3 4\n").mesh) == Approx(4e-6));
+    CHECK(area_m2(mesh_in("a.obj", square + "f 1 2 3 4\n").mesh) == Approx(4e-6));
     for (const char* face : {"f 1 5 2 3", "f 1 2 6 4"})
-        CHECK(error_of("a.obj", square + face) ==
+        CHECK(mesh_error("a.obj", square + face) ==
               "a.obj:7: a face of 4 corners is not flat and convex; export the mesh as triangles");
 }
 
 TEST_CASE("what is wrong with a mesh is told with its place and a way out", "[mesh]") {
     const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-    CHECK(error_of("a.obj", corners + "f 1 2 4\n") ==
+    CHECK(mesh_error("a.obj", corners + "f 1 2 4\n") ==
           "a.obj:4: a face names vertex 4, and 3 vertices stand before it; vertices count from 1, "
           "or back from -1; correct the face");
-    CHECK(error_of("a.obj", corners + "f 1 2 0\n").find("a.obj:4: a face names vertex 0") == 0);
-    CHECK(error_of("a.obj", corners + "f 1 2\n").find("a.obj:4: a face of 2 corners") == 0);
-    CHECK(error_of("a.obj", "v 0 nan 0\n") ==
+    CHECK(mesh_error("a.obj", corners + "f 1 2 0\n").find("a.obj:4: a face names vertex 0") == 0);
+    CHECK(mesh_error("a.obj", corners + "f 1 2\n").find("a.obj:4: a face of 2 corners") == 0);
+    CHECK(mesh_error("a.obj", "v 0 nan 0\n") ==
           "a.obj:1: a vertex's coordinate = nan: is not finite; repair the mesh and export it "
           "again");
-    CHECK(error_of("a.obj", "v 0 1e999 0\n").find("beyond what a number can hold") !=
+    CHECK(mesh_error("a.obj", "v 0 1e999 0\n").find("beyond what a number can hold") !=
           std::string::npos);
-    CHECK(error_of("a.obj", "v 0 0\n").find("a.obj:1: ends before a vertex's coordinate") == 0);
-    CHECK(error_of("a.obj", corners) == "a.obj: holds no triangle; is it the right file?");
-    CHECK(error_of("a.obj", "v 0 0 0\nv 1e6 0 0\nv 0 1e6 0\nf 1 2 3\n") ==
+    CHECK(mesh_error("a.obj", "v 0 0\n").find("a.obj:1: ends before a vertex's coordinate") == 0);
+    CHECK(mesh_error("a.obj", corners) == "a.obj: holds no triangle; is it the right file?");
+    CHECK(mesh_error("a.obj", "v 0 0 0\nv 1e6 0 0\nv 0 1e6 0\nf 1 2 3\n") ==
           "a.obj: reaches 1e+03 m from its origin, and 100 m are the most; is the unit right?");
-    CHECK(error_of("a.txt", corners) ==
+    CHECK(mesh_error("a.txt", corners) ==
           "a.txt: is no mesh by its name; give an .obj, .stl or .ply file");
-    CHECK(error_of("a.stl", "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n") ==
+    CHECK(mesh_error("a.stl", "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n") ==
           "a.stl:4: the file ends where \"vertex\" should stand; is it cut off? export it again");
-    CHECK(error_of("a.stl", "hello") ==
+    CHECK(mesh_error("a.stl", "hello") ==
           "a.stl: byte 5: the file ends within the header of a binary STL; is it cut off? export "
           "it again");
-    CHECK(error_of("a.ply",
-                   "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
-                   "property float y\nend_header\n0 0\n") ==
+    CHECK(mesh_error("a.ply",
+                     "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
+                     "property float y\nend_header\n0 0\n") ==
           "a.ply:6: the vertices have no z; export the file again");
 }
 
@@ -100,36 +101,36 @@ TEST_CASE("a file that says more than it holds is refused at the byte where it e
     std::string stl = files.at("binary.stl");
     stl[80] = '\xff';
     stl[83] = '\x7f';
-    CHECK(error_of("a.stl", stl)
+    CHECK(mesh_error("a.stl", stl)
               .find("a.stl: byte 80: says 2130706687 triangles, which are "
                     "106535334434 bytes, and the file has 284;") == 0);
     for (const char* name : {"little.ply", "big.ply"}) {
         const std::string ply = files.at(name);
-        CHECK(error_of(name, ply.substr(0, ply.size() - 1)) ==
+        CHECK(mesh_error(name, ply.substr(0, ply.size() - 1)) ==
               std::string(name) + ": byte " + std::to_string(ply.size() - 1) +
                   ": the file ends here, within what it announced; is it cut off? export it again");
         const std::string more = edited(ply, "vertex 4", "vertex 999999999");
-        CHECK(error_of(name, more).find("within what it announced") != std::string::npos);
+        CHECK(mesh_error(name, more).find("within what it announced") != std::string::npos);
     }
 }
 
 TEST_CASE("triangles without area are left out and counted, and none left is an error", "[mesh]") {
     const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\n";
-    const MeshFile file = read("a.obj", corners + "f 1 2 3\nf 1 2 4\nf 1 1 3\n");
+    const MeshFile file = mesh_in("a.obj", corners + "f 1 2 3\nf 1 2 4\nf 1 1 3\n");
     CHECK(file.mesh.triangles.size() == 1);
     REQUIRE(file.warnings.size() == 2);
     CHECK(file.warnings[0].find("2 of 3 triangles have no area and are left out") !=
           std::string::npos);
-    CHECK(error_of("a.obj", corners + "f 1 2 4\n") ==
+    CHECK(mesh_error("a.obj", corners + "f 1 2 4\n") ==
           "a.obj: none of its 1 triangles has an area; export it again");
 }
 
 TEST_CASE("an open seam and one of three triangles are warned of", "[mesh]") {
     const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\n";
-    const MeshFile open = read("a.obj", corners + "f 1 2 3\n");
+    const MeshFile open = mesh_in("a.obj", corners + "f 1 2 3\n");
     CHECK_FALSE(open.is_watertight);
     CHECK(open.warnings.at(0).find("3 edges belong to one triangle only") != std::string::npos);
-    const MeshFile fan = read("a.obj", corners + "f 1 2 3\nf 1 2 4\nf 1 2 5\n");
+    const MeshFile fan = mesh_in("a.obj", corners + "f 1 2 3\nf 1 2 4\nf 1 2 5\n");
     CHECK(fan.warnings.at(1).find("1 edges belong to more than two") != std::string::npos);
 }
 

@@ -4,24 +4,15 @@
 #include "tests/check.hpp"
 #include "tests/made_up_folder.hpp"
 #include "tests/message_of.hpp"
+#include "tests/scenes/boost_file.hpp"
 
 namespace specula {
 namespace {
 
 using namespace literals;
 
-const std::string boost_text = project_file("scenes/radars/iwrl6432boost.toml");
-
 Radar boost() {
     return read_radar(SPECULA_SOURCE_DIR "/scenes/radars/iwrl6432boost.toml");
-}
-
-/// What reading the board's file says once `from` in it became `to`, from the key on.
-std::string error_with(const std::string& from, const std::string& to) {
-    const MadeUpFolder folder;
-    const auto file = folder.with("x.toml", edited(boost_text, from, to));
-    const std::string message = message_of([&] { return read_radar(file); });
-    return message.substr(message.find(": ") + 2);
 }
 
 TEST_CASE("the board's file reads as its numbers say", "[radar]") {

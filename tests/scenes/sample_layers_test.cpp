@@ -4,14 +4,10 @@
 #include "tests/check.hpp"
 #include "tests/made_up_folder.hpp"
 #include "tests/message_of.hpp"
+#include "tests/project_catalogue.hpp"
 
 namespace specula {
 namespace {
-
-const Catalogue& catalogue() {
-    static const Catalogue opened = Catalogue::open(SPECULA_SOURCE_DIR);
-    return opened;
-}
 
 const std::string rusty =
     "radar = 'iwrl6432boost'\n"                                // 1

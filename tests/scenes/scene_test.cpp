@@ -4,16 +4,12 @@
 #include "tests/check.hpp"
 #include "tests/made_up_folder.hpp"
 #include "tests/message_of.hpp"
+#include "tests/project_catalogue.hpp"
 
 namespace specula {
 namespace {
 
 using namespace literals;
-
-const Catalogue& catalogue() {
-    static const Catalogue opened = Catalogue::open(SPECULA_SOURCE_DIR);
-    return opened;
-}
 
 constexpr const char* least =
     "radar = 'iwrl6432boost'\n"  // 1
@@ -24,13 +20,13 @@ constexpr const char* least =
     "[geometry]\n"               // 6
     "height_mm = 450\n";         // 7
 
-Scene read(const std::string& text) {
+Scene scene_in(const std::string& text) {
     const MadeUpFolder folder;
     return read_scene(folder.with("x.toml", text), catalogue());
 }
 
 /// What reading `text` says, without the folder of the file.
-std::string error_of(const std::string& text) {
+std::string scene_error(const std::string& text) {
     const MadeUpFolder folder;
     const auto file = folder.with("x.toml", text);
     const std::string message = message_of([&] { return read_scene(file, catalogue()); });
@@ -39,11 +35,11 @@ std::string error_of(const std::string& text) {
 }
 
 std::string geometry_error(const std::string& lines) {
-    return error_of(edited(least, "height_mm = 450\n", lines));
+    return scene_error(edited(least, "height_mm = 450\n", lines));
 }
 
 TEST_CASE("a scene of its least keys is a flat, untilted sample in air", "[scene]") {
-    const Scene scene = read(least);
+    const Scene scene = scene_in(least);
     CHECK(scene.radar.name == "iwrl6432boost");
     CHECK(scene.sample.material == "plexiglass");
     CHECK(scene.sample.face.size_x_m == Approx(0.3));
@@ -64,7 +60,7 @@ TEST_CASE("a scene of its least keys is a flat, untilted sample in air", "[scene
 
 TEST_CASE("azimuth tilts about y, elevation about x, and only what is said to be tilted",
           "[scene]") {
-    const auto pose = [](const std::string& lines) { return read(least + lines).pose; };
+    const auto pose = [](const std::string& lines) { return scene_in(least + lines).pose; };
     CHECK(pose("tilt_deg = 10\n").sensor.about_y_rad == Approx(10.0_deg));
     CHECK(pose("tilt_deg = -10\ntilt_plane = 'elevation'\n").sensor.about_x_rad ==
           Approx(-10.0_deg));
@@ -113,21 +109,21 @@ TEST_CASE("a pose that cannot be is refused at its key and in its unit", "[scene
 }
 
 TEST_CASE("a sample that cannot be is refused at its key", "[scene]") {
-    CHECK(error_of(edited(least, "thickness_mm = 5", "thickness_mm = 0")) ==
+    CHECK(scene_error(edited(least, "thickness_mm = 5", "thickness_mm = 0")) ==
           "x.toml:5: sample.thickness_mm = 0: is out of range; "
           "give a value above 0 mm and below 1000 mm");
-    CHECK(error_of(edited(least, "[300, 200]", "[300, 0]")) ==
+    CHECK(scene_error(edited(least, "[300, 200]", "[300, 0]")) ==
           "x.toml:4: sample.size_mm = [300, 0]: is out of range; "
           "give a value above 0 mm and below 10000 mm");
-    CHECK(error_of(edited(least, "plexiglass", "plexiglas"))
+    CHECK(scene_error(edited(least, "plexiglass", "plexiglas"))
               .rfind("x.toml:3: sample.material = \"plexiglas\": is not known; "
                      "did you mean \"plexiglass\"?",
                      0) == 0);
-    CHECK(error_of(edited(least, "thickness_mm", "shape = 'dics'\nthickness_mm"))
+    CHECK(scene_error(edited(least, "thickness_mm", "shape = 'dics'\nthickness_mm"))
               .rfind("x.toml:5: sample.shape = \"dics\": is not known; use \"plate\", ", 0) == 0);
-    CHECK(error_of(edited(least, "thickness_mm", "roughness_um = 2001\nthickness_mm"))
+    CHECK(scene_error(edited(least, "thickness_mm", "roughness_um = 2001\nthickness_mm"))
               .find("at most 2000 um") != std::string::npos);
-    CHECK(error_of(edited(least, "[sample]", "color = 'red'\n[sample]")) ==
+    CHECK(scene_error(edited(least, "[sample]", "color = 'red'\n[sample]")) ==
           "x.toml:2: color = \"red\": is not a key of this file; remove it");
 }
 
@@ -146,7 +142,7 @@ TEST_CASE("a height that the radar cannot see is refused, and the advice then wo
             advice);
     CHECK(geometry_error("height_mm = 118\n") == "(no error)");
     CHECK(geometry_error("height_mm = 2248\n") == "(no error)");
-    CHECK(blind_reason(read(least).radar, 0.45).empty());
+    CHECK(blind_reason(scene_in(least).radar, 0.45).empty());
 }
 
 }  // namespace

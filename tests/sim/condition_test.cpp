@@ -3,24 +3,21 @@
 #include <map>
 
 #include "tests/check.hpp"
+#include "tests/contains.hpp"
 #include "tests/message_of.hpp"
 
 namespace specula {
 namespace {
 
-Condition read(const std::string& text) {
+Condition condition_in(const std::string& text) {
     Section section = Section::parse("name = \"c\"\ntitle = \"C\"\nframes = 2\n" + text, "c.toml");
     const Condition condition = read_condition(section, Radar{}, 0.45, 3);
     section.finish();
     return condition;
 }
 
-std::string refusal(const std::string& text) {
-    return message_of([&] { return read(text); });
-}
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
+std::string condition_refusal(const std::string& text) {
+    return message_of([&] { return condition_in(text); });
 }
 
 TEST_CASE("sessions run over all heights and, at each, over all tilts", "[sim]") {
@@ -64,7 +61,7 @@ TEST_CASE("the tilt goes to what is tilted, in the plane asked for", "[sim]") {
 }
 
 TEST_CASE("a condition that says little is recorded straight down at the nominal height", "[sim]") {
-    const Condition condition = read("sessions = 4\n");
+    const Condition condition = condition_in("sessions = 4\n");
     CHECK(condition.number == 3);
     CHECK(condition.heights_m == std::vector<double>{0.45});
     CHECK(condition.tilts_rad == std::vector<double>{0.0});
@@ -74,7 +71,7 @@ TEST_CASE("a condition that says little is recorded straight down at the nominal
 }
 
 TEST_CASE("a condition's keys arrive where they belong", "[sim]") {
-    const Condition condition = read(
+    const Condition condition = condition_in(
         "sessions = 1\nheight_mm = [350, 550]\ntilt_deg = [-10, 10]\ntilted = \"sample\"\n"
         "tilt_plane = \"elevation\"\npivot_mm = [1, 2, -30]\nsamples = \"new\"\n");
     REQUIRE(condition.heights_m.size() == 2);
@@ -88,17 +85,20 @@ TEST_CASE("a condition's keys arrive where they belong", "[sim]") {
 }
 
 TEST_CASE("what the radar cannot see or nobody can do is refused by line", "[sim]") {
-    CHECK(contains(refusal("sessions = 4\nheight_mm = [450, 50]\n"), "c.toml:5: height_mm"));
-    CHECK(contains(refusal("sessions = 4\nheight_mm = [450, 50]\n"), "leakage"));
-    CHECK(contains(refusal("sessions = 4\nheight_m = [5]\n"), "beyond the farthest range"));
-    CHECK(contains(refusal("sessions = 4\nheight_cm = [45, 5]\n"), "c.toml:5: height_cm"));
-    CHECK(contains(refusal("sessions = 4\ntilt_deg = [86]\n"), "c.toml:5: tilt_deg"));
-    CHECK(contains(refusal("sessions = 0\n"), "c.toml:4: sessions"));
-    CHECK(contains(refusal("sessions = 600\nheight_mm = [400, 500]\n"), "1200 sessions"));
-    CHECK(contains(refusal("sessions = 1\nsamples = \"other\"\n"), "samples"));
-    CHECK(contains(refusal("sessions = 1\ntilted = \"sensor\"\npivot_mm = [0, 0, 5]\n"),
+    CHECK(contains(condition_refusal("sessions = 4\nheight_mm = [450, 50]\n"),
+                   "c.toml:5: height_mm"));
+    CHECK(contains(condition_refusal("sessions = 4\nheight_mm = [450, 50]\n"), "leakage"));
+    CHECK(
+        contains(condition_refusal("sessions = 4\nheight_m = [5]\n"), "beyond the farthest range"));
+    CHECK(
+        contains(condition_refusal("sessions = 4\nheight_cm = [45, 5]\n"), "c.toml:5: height_cm"));
+    CHECK(contains(condition_refusal("sessions = 4\ntilt_deg = [86]\n"), "c.toml:5: tilt_deg"));
+    CHECK(contains(condition_refusal("sessions = 0\n"), "c.toml:4: sessions"));
+    CHECK(contains(condition_refusal("sessions = 600\nheight_mm = [400, 500]\n"), "1200 sessions"));
+    CHECK(contains(condition_refusal("sessions = 1\nsamples = \"other\"\n"), "samples"));
+    CHECK(contains(condition_refusal("sessions = 1\ntilted = \"sensor\"\npivot_mm = [0, 0, 5]\n"),
                    "c.toml:6: pivot_mm"));
-    CHECK(refusal("sessions = 512\nheight_mm = [400, 500]\n") == "(no error)");
+    CHECK(condition_refusal("sessions = 512\nheight_mm = [400, 500]\n") == "(no error)");
 }
 
 }  // namespace

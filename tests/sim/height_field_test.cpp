@@ -4,14 +4,10 @@
 
 #include "sim/simulate.hpp"
 #include "tests/check.hpp"
+#include "tests/project_library.hpp"
 
 namespace specula {
 namespace {
-
-const Library& library() {
-    static const Library held(SPECULA_SOURCE_DIR "/materials/library");
-    return held;
-}
 
 Mesh drawn(const Plate& plate, std::uint64_t seed) {
     Stream piece({.seed = seed, .purpose = "heights"});

@@ -3,14 +3,10 @@
 #include "scenes/catalogue.hpp"
 #include "sim/simulate.hpp"
 #include "tests/check.hpp"
+#include "tests/project_catalogue.hpp"
 
 namespace specula {
 namespace {
-
-const Catalogue& catalogue() {
-    static const Catalogue shared = Catalogue::open(SPECULA_SOURCE_DIR);
-    return shared;
-}
 
 Scene scene_of(const std::string& material, double size_m) {
     Scene scene;

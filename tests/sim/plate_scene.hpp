@@ -6,6 +6,9 @@
 
 namespace specula {
 
+/// In the middle of what the radars here use: where one frequency is enough.
+inline constexpr double test_frequency_hz = 60e9;
+
 /// A plate under one TX and one RX: what the reference cases describe.
 struct PlateScene {
     Plate plate;

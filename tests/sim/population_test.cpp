@@ -1,15 +1,12 @@
 #include "sim/population.hpp"
 
 #include "tests/check.hpp"
+#include "tests/contains.hpp"
 #include "tests/message_of.hpp"
+#include "tests/project_catalogue.hpp"
 
 namespace specula {
 namespace {
-
-const Catalogue& catalogue() {
-    static const Catalogue held = Catalogue::open(SPECULA_SOURCE_DIR);
-    return held;
-}
 
 const std::string two_classes = R"([sample]
 size_mm = [200, 100]
@@ -36,19 +33,15 @@ leakage_phase_deg = { normal = [0.0, 5.0] }
 displacement_um = { normal = [0.0, 35.0] }
 )";
 
-Population read(const std::string& text) {
+Population population_in(const std::string& text) {
     Section section = Section::parse(text, "p.toml");
     const Population population = read_population(section, catalogue());
     section.finish();
     return population;
 }
 
-std::string refusal(const std::string& text) {
-    return message_of([&] { return read(text); });
-}
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
+std::string population_refusal(const std::string& text) {
+    return message_of([&] { return population_in(text); });
 }
 
 std::string replaced(std::string text, const std::string& what, const std::string& by) {
@@ -56,7 +49,7 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 }
 
 TEST_CASE("classes keep their order, their laws and what they have in common", "[sim]") {
-    const Population population = read(two_classes + laws);
+    const Population population = population_in(two_classes + laws);
     CHECK(population.class_names() == std::vector<std::string>{"sheet", "board"});
     const SampleLaw& sheet = population.classes[0];
     CHECK(sheet.nominal.material == "plexiglass");
@@ -71,7 +64,7 @@ TEST_CASE("classes keep their order, their laws and what they have in common", "
 }
 
 TEST_CASE("a law that is not given is the nominal value alone", "[sim]") {
-    const Population population = read(two_classes + laws);
+    const Population population = population_in(two_classes + laws);
     const SampleLaw& board = population.classes[1];
     CHECK(board.bow_m.spread() == 0.0);
     CHECK(board.bow_m.median() == 0.0);
@@ -90,17 +83,17 @@ TEST_CASE("heights of a class have a law of their correlation", "[sim]") {
     const std::string text = replaced(two_classes, "thickness_mm = 18",
                                       "thickness_mm = 18\n"
                                       "correlation_length_mm = { factor = [2.0, 1.5] }");
-    const Population population = read(text + laws);
+    const Population population = population_in(text + laws);
     CHECK(population.classes[0].correlation_m.median() == SampleLayer::usual_correlation_m);
     CHECK(population.classes[1].correlation_m.median() == Approx(0.002));
     CHECK(population.classes[1].correlation_m.spread() == Approx(std::log(1.5)));
 }
 
 TEST_CASE("the room's two laws are told apart", "[sim]") {
-    const Population population =
-        read(two_classes + laws +
-             "[world_clutter]\npoints = 6\nlevel_db = -45\nrange_mm = { uniform = [250, 2000] }\n"
-             "[session_clutter]\npoints = 3\nlevel_db = -50\nrange_mm = 700\n");
+    const Population population = population_in(
+        two_classes + laws +
+        "[world_clutter]\npoints = 6\nlevel_db = -45\nrange_mm = { uniform = [250, 2000] }\n"
+        "[session_clutter]\npoints = 3\nlevel_db = -50\nrange_mm = 700\n");
     CHECK(population.world_clutter.points == 6);
     CHECK(population.world_clutter.level_db == -45.0);
     CHECK(population.world_clutter.range_m.median() == Approx(1.125));
@@ -110,17 +103,20 @@ TEST_CASE("the room's two laws are told apart", "[sim]") {
 }
 
 TEST_CASE("classes of one name, of no material or too few are refused by line", "[sim]") {
-    CHECK(contains(refusal(replaced(two_classes, "\"board\"", "\"sheet\"") + laws),
+    CHECK(contains(population_refusal(replaced(two_classes, "\"board\"", "\"sheet\"") + laws),
                    "p.toml:13: class.name"));
-    CHECK(contains(refusal(replaced(two_classes, "\"wood\"", "\"wod\"") + laws),
+    CHECK(contains(population_refusal(replaced(two_classes, "\"wood\"", "\"wod\"") + laws),
                    "did you mean \"wood\"?"));
     const std::string one = two_classes.substr(0, two_classes.rfind("[[class]]"));
-    CHECK(contains(refusal(one + laws), "1 classes"));
-    CHECK(contains(refusal(replaced(two_classes, "thickness_mm = 18", "thickness_mm = 0") + laws),
-                   "p.toml:15: class.thickness_mm = 0"));
-    CHECK(contains(refusal(replaced(two_classes, "bow_mm", "bow_m") + laws), "class.bow_m"));
-    CHECK(contains(refusal(two_classes + replaced(laws, "height_mm", "hight_mm")), "height"));
-    CHECK(contains(refusal(two_classes), "session"));
+    CHECK(contains(population_refusal(one + laws), "1 classes"));
+    CHECK(contains(
+        population_refusal(replaced(two_classes, "thickness_mm = 18", "thickness_mm = 0") + laws),
+        "p.toml:15: class.thickness_mm = 0"));
+    CHECK(contains(population_refusal(replaced(two_classes, "bow_mm", "bow_m") + laws),
+                   "class.bow_m"));
+    CHECK(contains(population_refusal(two_classes + replaced(laws, "height_mm", "hight_mm")),
+                   "height"));
+    CHECK(contains(population_refusal(two_classes), "session"));
 }
 
 }  // namespace

@@ -4,15 +4,11 @@
 #include "sim/core/constants.hpp"
 #include "sim/simulate.hpp"
 #include "tests/check.hpp"
+#include "tests/project_library.hpp"
 #include "tests/sim/deviation.hpp"
 
 namespace specula {
 namespace {
-
-const Library& library() {
-    static const Library held(SPECULA_SOURCE_DIR "/materials/library");
-    return held;
-}
 
 SceneObject plate_at(double z_m, const std::string& material, double size_m) {
     SceneObject object;

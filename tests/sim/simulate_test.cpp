@@ -2,6 +2,7 @@
 
 #include "sim/link_budget.hpp"
 #include "tests/check.hpp"
+#include "tests/project_library.hpp"
 #include "tests/reference_case.hpp"
 #include "tests/sim/deviation.hpp"
 #include "tests/sim/plate_scene.hpp"
@@ -9,11 +10,6 @@
 
 namespace specula {
 namespace {
-
-const Library& library() {
-    static const Library held(SPECULA_SOURCE_DIR "/materials/library");
-    return held;
-}
 
 Scene wide_mirror(double height_m) {
     Scene scene;

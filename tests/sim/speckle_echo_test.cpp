@@ -5,15 +5,11 @@
 #include "sim/clutter.hpp"
 #include "sim/simulate.hpp"
 #include "tests/check.hpp"
+#include "tests/project_library.hpp"
 #include "tests/sim/deviation.hpp"
 
 namespace specula {
 namespace {
-
-const Library& library() {
-    static const Library held(SPECULA_SOURCE_DIR "/materials/library");
-    return held;
-}
 
 Scene stone(double roughness_m, double correlation_m) {
     Scene scene;

@@ -4,13 +4,10 @@
 #include "tests/check.hpp"
 #include "tests/message_of.hpp"
 #include "tests/reference_case.hpp"
+#include "tests/section_of.hpp"
 
 namespace specula {
 namespace {
-
-Section parse(const std::string& text) {
-    return Section::parse(text, "x.toml");
-}
 
 const ColeCole skin{.high_permittivity = 4.0,
                     .poles = {{32.0, 7.234e-12, 0.0}, {1100.0, 32.481e-9, 0.2}},
@@ -65,7 +62,7 @@ TEST_CASE("spread flattens a relaxation and leaves its middle where it is", "[co
 }
 
 TEST_CASE("each pole has a relaxation time in its own unit", "[cole_cole]") {
-    Section section = parse(
+    Section section = section_of(
         "high_permittivity = 4\n[[pole]]\nstrength = 32\nrelaxation_ps = 7.234\n"
         "[[pole]]\nstrength = 1100\nrelaxation_ns = 32.481\nspread = 0.2\n");
     const ColeCole model = ColeCole::read(section);
@@ -76,7 +73,7 @@ TEST_CASE("each pole has a relaxation time in its own unit", "[cole_cole]") {
 }
 
 TEST_CASE("tissue without a relaxation is refused", "[cole_cole]") {
-    Section section = parse("high_permittivity = 4\n");
+    Section section = section_of("high_permittivity = 4\n");
     CHECK(message_of([&] { return ColeCole::read(section); }).find("describe each as [[pole]]") !=
           std::string::npos);
 }

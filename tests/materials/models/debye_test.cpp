@@ -3,13 +3,10 @@
 #include "materials/models/double_debye.hpp"
 #include "tests/check.hpp"
 #include "tests/message_of.hpp"
+#include "tests/section_of.hpp"
 
 namespace specula {
 namespace {
-
-Section parse(const std::string& text) {
-    return Section::parse(text, "x.toml");
-}
 
 const Debye liquid{.static_permittivity = 80.0, .high_permittivity = 5.0, .relaxation_s = 9e-12};
 
@@ -46,7 +43,7 @@ TEST_CASE("a double relaxation with one step is a single one", "[debye]") {
 }
 
 TEST_CASE("a file gives the relaxation time in its own unit", "[debye]") {
-    Section section = parse(
+    Section section = section_of(
         "static_permittivity = 80\nhigh_permittivity = 5\nrelaxation_ps = 9\n"
         "conductivity_s_per_m = 0.1\n");
     const Debye read = Debye::read(section);
@@ -55,10 +52,11 @@ TEST_CASE("a file gives the relaxation time in its own unit", "[debye]") {
 }
 
 TEST_CASE("a permittivity that rises with frequency is refused", "[debye]") {
-    Section section = parse("static_permittivity = 3\nhigh_permittivity = 5\nrelaxation_ps = 9\n");
+    Section section =
+        section_of("static_permittivity = 3\nhigh_permittivity = 5\nrelaxation_ps = 9\n");
     CHECK(message_of([&] { return Debye::read(section); }) ==
           "x.toml:1: static_permittivity = 3: is out of range; give a value at least 5");
-    Section twice = parse(
+    Section twice = section_of(
         "static_permittivity = 80\nmiddle_permittivity = 6\nhigh_permittivity = 5\n"
         "slow_relaxation_ghz = 18\nfast_relaxation_ghz = 17\n");
     CHECK(message_of([&] { return DoubleDebye::read(twice); }) ==

@@ -3,16 +3,15 @@
 #include "sim/core/constants.hpp"
 #include "tests/check.hpp"
 #include "tests/reference_case.hpp"
+#include "tests/sim/adc/quiet_radar.hpp"
 
 // What boards and frames add: feeds, several TX, motion, I and Q, start-up, drift.
 
 namespace specula {
 namespace {
 
-Radar quiet_radar() {
-    Radar radar;
-    radar.receiver.temperature_k = 1e-30;
-    radar.receiver.high_pass_hz = 0.0;
+Radar quiet_16_bit_radar() {
+    Radar radar = quiet_radar();
     radar.receiver.adc_bits = 16;
     return radar;
 }
@@ -32,13 +31,8 @@ BeatSignal tones(const Radar& radar, const std::vector<double>& ranges_m) {
     return dechirp(channel, radar.chirp);
 }
 
-AdcFrame receive(const Radar& radar, const ReceiverInput& input, const FrameState& state = {}) {
-    Stream noise({.seed = 1, .purpose = "thermal noise"});
-    return ReceiverChain(radar).receive(input, state, noise);
-}
-
 TEST_CASE("a feed's gain and phase scale and turn the beat", "[adc]") {
-    Radar radar = quiet_radar();
+    Radar radar = quiet_16_bit_radar();
     const ReceiverInput input{tones(radar, {0.45}), tones(radar, {0.0})};
     const AdcFrame upright = receive(radar, input);
     radar.rx[0].phase_rad = pi;
@@ -55,14 +49,15 @@ TEST_CASE("a feed's gain and phase scale and turn the beat", "[adc]") {
 }
 
 TEST_CASE("I and Q are the two parts of the analytic beat", "[adc]") {
-    Radar radar = quiet_radar();
+    Radar radar = quiet_16_bit_radar();
     radar.receiver.complex_samples = true;
     const AdcFrame frame = receive(radar, {tones(radar, {0.45}), tones(radar, {0.0})});
     REQUIRE(frame.quadrature.size() == frame.codes.size());
     const double amplitude = 0.1 * radar.adc_full_scale_lsb();
     for (std::size_t i = 0; i < frame.codes.size(); ++i)
         CHECK(std::hypot(frame.codes[i], frame.quadrature[i]) == Approx(amplitude).margin(1.0));
-    CHECK(receive(quiet_radar(), {tones(radar, {0.45}), tones(radar, {0.0})}).quadrature.empty());
+    CHECK(receive(quiet_16_bit_radar(), {tones(radar, {0.45}), tones(radar, {0.0})})
+              .quadrature.empty());
 }
 
 TEST_CASE("each rail of a complex receiver hears the noise of half the band", "[adc]") {
@@ -75,7 +70,7 @@ TEST_CASE("each rail of a complex receiver hears the noise of half the band", "[
 }
 
 TEST_CASE("BPM decoded is TDM, but for rounding", "[adc][mimo]") {
-    Radar radar = quiet_radar();
+    Radar radar = quiet_16_bit_radar();
     radar.further_tx = {{.position_m = {0.01, 0.0, 0.0}, .inverted = true}};
     radar.chirps_per_frame = 2;
     const ReceiverInput input{tones(radar, {0.40, 0.60}), tones(radar, {0.05, 0.07})};
@@ -97,7 +92,7 @@ TEST_CASE("a moving sample's phase grows from chirp to chirp as Doppler says",
           "[adc][motion][reference]") {
     const auto reference = reference_case("F05_doppler");
     for (const auto& point : reference["points"]) {
-        Radar radar = quiet_radar();
+        Radar radar = quiet_16_bit_radar();
         radar.receiver.complex_samples = true;
         radar.chirps_per_frame = 2;
         const double period_s = point["inp"]["Tc_s"];
@@ -119,7 +114,7 @@ TEST_CASE("a moving sample's phase grows from chirp to chirp as Doppler says",
 }
 
 TEST_CASE("a vibration far below the wavelength modulates the phase by 2 k d", "[adc][motion]") {
-    Radar radar = quiet_radar();
+    Radar radar = quiet_16_bit_radar();
     radar.receiver.complex_samples = true;
     radar.chirps_per_frame = 4;
     radar.chirp.idle_s = 1e-3 - radar.chirp.ramp_end_s;
@@ -165,7 +160,7 @@ TEST_CASE("before the filter has input its samples hold the start-up's ringing a
 }
 
 TEST_CASE("leakage that drifts leaves room and sample alone", "[adc]") {
-    const Radar radar = quiet_radar();
+    const Radar radar = quiet_16_bit_radar();
     const auto echo = tones(radar, {0.45}), leak = tones(radar, {0.05}), none = tones(radar, {0.0});
     const AdcFrame together = receive(radar, {echo, leak});
     CHECK(receive(radar, {echo, none, leak}).codes == together.codes);
@@ -188,7 +183,7 @@ TEST_CASE("noise behind the high-pass keeps the low bins that noise before it lo
 }
 
 TEST_CASE("phase noise and interference come from the frame's own streams", "[adc]") {
-    Radar radar = quiet_radar();
+    Radar radar = quiet_16_bit_radar();
     const ReceiverInput input{tones(radar, {0.45}), tones(radar, {0.0})};
     radar.receiver.phase_noise_dbc_hz = -60.0;
     radar.interferer = Interferer{.level_dbm = -40.0,

@@ -3,19 +3,12 @@
 #include "sim/channel/path.hpp"
 #include "tests/check.hpp"
 #include "tests/reference_case.hpp"
+#include "tests/sim/adc/quiet_radar.hpp"
 #include "tests/sim/deviation.hpp"
 #include "tests/sim/spectrum.hpp"
 
 namespace specula {
 namespace {
-
-/// A radar whose receivers add nothing of their own: no noise, no high-pass.
-Radar quiet_radar() {
-    Radar radar;
-    radar.receiver.temperature_k = 1e-30;
-    radar.receiver.high_pass_hz = 0.0;
-    return radar;
-}
 
 BeatSignal silence(const Radar& radar) {
     return dechirp(silent_channel(static_cast<int>(radar.rx.size()), comb_of(radar.chirp)),
@@ -28,11 +21,6 @@ BeatSignal tone(const Radar& radar, double range_m, Complex transfer) {
     Channel channel = silent_channel(static_cast<int>(radar.rx.size()), comb);
     add_path(channel, comb, {.length_m = 2.0 * range_m, .transfer = transfer});
     return dechirp(channel, radar.chirp);
-}
-
-AdcFrame receive(const Radar& radar, const ReceiverInput& input, const FrameState& state = {}) {
-    Stream noise({.seed = 1, .purpose = "thermal noise"});
-    return ReceiverChain(radar).receive(input, state, noise);
 }
 
 /// Transfer of a tone of so many codes' amplitude.

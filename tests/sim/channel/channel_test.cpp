@@ -2,17 +2,12 @@
 
 #include "sim/signal/dechirp.hpp"
 #include "tests/check.hpp"
+#include "tests/project_library.hpp"
+#include "tests/sim/channel/test_comb.hpp"
 #include "tests/sim/plate_scene.hpp"
 
 namespace specula {
 namespace {
-
-const Library& library() {
-    static const Library held(SPECULA_SOURCE_DIR "/materials/library");
-    return held;
-}
-
-const FrequencyComb comb = comb_of(Chirp{});
 
 struct Piece {
     std::string material;
@@ -30,16 +25,19 @@ Reflector reflector_of_piece(const Piece& piece) {
     return reflector_of(sample, library());
 }
 
-Scatter scatter_of(const PlateScene& scene) { return scene.scatter(comb.last_hz()); }
+Scatter scatter_of(const PlateScene& scene) {
+    return scene.scatter(test_comb.last_hz());
+}
 
 /// Largest distance of the channel from the plain sums over its largest value.
 double off_the_plain_sum(const Scatter& scatter, const Reflector& reflector) {
-    const Channel channel = channel_of(scatter, {&reflector, 1}, comb);
+    const Channel channel = channel_of(scatter, {&reflector, 1}, test_comb);
     double off = 0.0, largest = 0.0;
-    for (int i = 0; i < comb.n; ++i) largest = std::max(largest, std::abs(channel.of_rx(0)[i]));
-    for (int i = 0; i < comb.n; i += 48)
+    for (int i = 0; i < test_comb.n; ++i)
+        largest = std::max(largest, std::abs(channel.of_rx(0)[i]));
+    for (int i = 0; i < test_comb.n; i += 48)
         off = std::max(off, std::abs(channel.of_rx(0)[i] -
-                                     direct_sum(scatter, 0, {&reflector, 1}, comb.at(i))));
+                                     direct_sum(scatter, 0, {&reflector, 1}, test_comb.at(i))));
     return off / largest;
 }
 
@@ -118,8 +116,8 @@ TEST_CASE("what is not seen echoes nothing", "[channel]") {
     const Reflector mirror = perfect_conductor();
     const Scatter nothing{.n_rx = 1, .routes = {}};
     for (const Scatter& scatter : {scatter_of(behind), nothing}) {
-        const Channel channel = channel_of(scatter, {&mirror, 1}, comb);
-        REQUIRE(channel.h.size() == static_cast<std::size_t>(comb.n));
+        const Channel channel = channel_of(scatter, {&mirror, 1}, test_comb);
+        REQUIRE(channel.h.size() == static_cast<std::size_t>(test_comb.n));
         CHECK(std::all_of(channel.h.begin(), channel.h.end(),
                           [](Complex h) { return h == Complex(0.0); }));
     }
@@ -155,10 +153,10 @@ TEST_CASE("each receiver has its own channel", "[channel]") {
     Radar radar = scene.radar();
     radar.rx = {{.position_m = {0.0, 0.0, 0.0}}, {.position_m = scene.rx_m}};
     const Scatter both = trace(scene.target(), antennas_of(radar, radar_placement(scene.pose)),
-                               {.highest_hz = comb.last_hz()});
+                               {.highest_hz = test_comb.last_hz()});
     const Reflector mirror = perfect_conductor();
-    const Channel channel = channel_of(both, {&mirror, 1}, comb);
-    const Complex expected = direct_sum(both, 1, {&mirror, 1}, comb.at(7));
+    const Channel channel = channel_of(both, {&mirror, 1}, test_comb);
+    const Complex expected = direct_sum(both, 1, {&mirror, 1}, test_comb.at(7));
     CHECK(std::abs(channel.of_rx(1)[7] - expected) < promised * std::abs(expected));
     CHECK(std::abs(channel.of_rx(0)[7] - expected) > 0.01 * std::abs(expected));
 }

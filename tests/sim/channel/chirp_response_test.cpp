@@ -9,7 +9,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-PlateScene scene_of(const Json& inp) {
+PlateScene tilted_about_y(const Json& inp) {
     PlateScene scene;
     scene.plate = {.size_x_m = inp["L_m"], .size_y_m = inp["L_m"]};
     scene.pose.height_m = inp["H_m"];
@@ -18,7 +18,7 @@ PlateScene scene_of(const Json& inp) {
     return scene;
 }
 
-Reflector reflector_of_case(const Json& material) {
+Reflector reflector_made_of(const Json& material) {
     if (material == "PEC") return perfect_conductor();
     return slab(complex_of(material["eps"]), material["d_m"]);
 }
@@ -34,8 +34,8 @@ TEST_CASE("a plate answers a whole chirp as the reference says, sample by sample
         INFO(inp["case"]);
         const int n = inp["N"];
         const FrequencyComb comb{inp["f0_hz"], inp["B_hz"].get<double>() / n, n};
-        const PlateScene scene = scene_of(inp);
-        const Reflector reflector = reflector_of_case(inp["material"]);
+        const PlateScene scene = tilted_about_y(inp);
+        const Reflector reflector = reflector_made_of(inp["material"]);
         const Channel channel = channel_of(scene.scatter(comb.last_hz()), {&reflector, 1}, comb);
 
         double largest = 0.0, off = 0.0;

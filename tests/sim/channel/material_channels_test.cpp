@@ -8,14 +8,13 @@
 #include "sim/channel/layer_path.hpp"
 #include "sim/signal/dechirp.hpp"
 #include "tests/check.hpp"
+#include "tests/sim/channel/test_comb.hpp"
 #include "tests/sim/plate_scene.hpp"
 
 namespace specula {
 namespace {
 
 using Json = nlohmann::json;
-
-const FrequencyComb comb = comb_of(Chirp{});
 
 Complex permittivity_of(const Json& value) {
     return value.is_array() ? Complex(value[0], value[1]) : Complex(value.get<double>());
@@ -56,7 +55,7 @@ std::map<std::string, Reflector> reference_stacks() {
     return stacks;
 }
 
-PlateScene tilted_scene() {
+PlateScene tilted_wide_scene() {
     PlateScene scene;
     scene.plate = {.size_x_m = 0.15, .size_y_m = 0.12, .bow_m = 5e-4};
     scene.pose.height_m = 0.3;
@@ -76,23 +75,24 @@ double largest(const Channel& channel) {
 double off_the_plain_sum(const Channel& channel, const Scatter& scatter,
                          const Reflector& reflector) {
     double off = 0.0;
-    for (int i = 0; i < comb.n; i += 36)
+    for (int i = 0; i < test_comb.n; i += 36)
         off = std::max(off, std::abs(channel.of_rx(0)[i] -
-                                     direct_sum(scatter, 0, {&reflector, 1}, comb.at(i))));
+                                     direct_sum(scatter, 0, {&reflector, 1}, test_comb.at(i))));
     return off / largest(channel);
 }
 
 TEST_CASE("one geometry serves every stack of the reference data", "[channel][materials]") {
-    const PlateScene scene = tilted_scene();
-    const Scatter scatter = trace(scene.target(), scene.antennas(), {.highest_hz = comb.last_hz()});
-    MaterialChannels geometry(scatter, comb);
+    const PlateScene scene = tilted_wide_scene();
+    const Scatter scatter =
+        trace(scene.target(), scene.antennas(), {.highest_hz = test_comb.last_hz()});
+    MaterialChannels geometry(scatter, test_comb);
     const auto stacks = reference_stacks();
     REQUIRE(stacks.size() >= 5);
     for (const auto& [name, reflector] : stacks) {
         INFO(name);
         const Channel channel = geometry.channel({&reflector, 1});
         CHECK(off_the_plain_sum(channel, scatter, reflector) < 1e-6);  // 1e-4 was asked for
-        const Channel alone = channel_of(scatter, {&reflector, 1}, comb);
+        const Channel alone = channel_of(scatter, {&reflector, 1}, test_comb);
         double off = 0.0;  // what the materials before it asked for does not show
         for (std::size_t i = 0; i < alone.h.size(); ++i)
             off = std::max(off, std::abs(alone.h[i] - channel.h[i]));
@@ -102,24 +102,25 @@ TEST_CASE("one geometry serves every stack of the reference data", "[channel][ma
 
 TEST_CASE("a geometry of few points serves every stack of the reference data",
           "[channel][materials]") {
-    const PlateScene scene = tilted_scene();
+    const PlateScene scene = tilted_wide_scene();
     const Target target = scene.target();
-    const Scatter dense = trace(target, scene.antennas(), {.highest_hz = comb.last_hz()});
+    const Scatter dense = trace(target, scene.antennas(), {.highest_hz = test_comb.last_hz()});
     const auto stacks = reference_stacks();
-    TraceSettings settings{.highest_hz = comb.last_hz(), .lowest_hz = comb.first_hz};
+    TraceSettings settings{.highest_hz = test_comb.last_hz(), .lowest_hz = test_comb.first_hz};
     for (const auto& [name, reflector] : stacks) {
         INFO(name);
         settings.layer_path_m = layer_path_m(reflector(60e9));
         const Scatter thin = trace(target, scene.antennas(), settings);
-        const Channel channel = channel_of(thin, {&reflector, 1}, comb);
+        const Channel channel = channel_of(thin, {&reflector, 1}, test_comb);
         CHECK(off_the_plain_sum(channel, dense, reflector) < 1e-3);  // 0.1 dB is 1.2 %
     }
 }
 
 TEST_CASE("thickness and coherent roughness are drawn on one geometry", "[channel][materials]") {
-    const PlateScene scene = tilted_scene();
-    const Scatter scatter = trace(scene.target(), scene.antennas(), {.highest_hz = comb.last_hz()});
-    MaterialChannels geometry(scatter, comb);
+    const PlateScene scene = tilted_wide_scene();
+    const Scatter scatter =
+        trace(scene.target(), scene.antennas(), {.highest_hz = test_comb.last_hz()});
+    MaterialChannels geometry(scatter, test_comb);
     for (const double thickness_m : {2e-3, 5e-3, 19e-3, 3e-3})
         for (const double roughness_m : {0.0, 1e-4}) {
             const Reflector reflector = stack_of({{.medium = {Complex(2.6, -0.02)},

@@ -16,7 +16,7 @@ using Json = nlohmann::json;
 constexpr double same_integral_db = 1e-5;
 constexpr double same_integral_deg = 1e-4;
 
-PlateScene scene_of(const Json& inp) {
+PlateScene near_scene(const Json& inp) {
     PlateScene scene;
     scene.plate = {.size_x_m = inp["L_m"], .size_y_m = inp["L_m"]};
     scene.pose.height_m = inp["H_m"];
@@ -45,7 +45,7 @@ void check_points_of(const std::string& id) {
     REQUIRE(reference["tolerance"]["phase_deg"].get<double>() > same_integral_deg);
     for (const Json& point : reference["points"]) {
         const Json& inp = point["inp"];
-        const Complex h = scene_of(inp).transfer(reflector_of_case(inp), inp["f_hz"]);
+        const Complex h = near_scene(inp).transfer(reflector_of_case(inp), inp["f_hz"]);
         const Deviation off = deviation(h, complex_of(point["expect"]["h"]));
         INFO(id << " " << inp.dump());
         CHECK(off.db < same_integral_db);

@@ -17,10 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string refusal(const fs::path& file) {
-    return message_of([&] { return read_dataset(file); });
-}
-
 bool names(const std::string& message, const fs::path& file, const std::string& object) {
     return message.rfind(file.string() + ": ", 0) == 0 &&
            message.find(object) != std::string::npos && message.find('\n') == std::string::npos;
@@ -28,15 +24,15 @@ bool names(const std::string& message, const fs::path& file, const std::string& 
 
 TEST_CASE("a missing file and a folder are refused by name", "[dataset]") {
     const TemporaryFolder folder;
-    CHECK(names(refusal(folder / "none.h5"), folder / "none.h5", "no such file"));
-    CHECK(names(refusal(folder.path()), folder.path(), "no such file"));
+    CHECK(names(refusal_of(folder / "none.h5"), folder / "none.h5", "no such file"));
+    CHECK(names(refusal_of(folder.path()), folder.path(), "no such file"));
 }
 
 TEST_CASE("a file that is not HDF5 is refused", "[dataset]") {
     const TemporaryFolder folder;
     for (const std::string content : {"", "title = 5\n", "\x89HDF\r\n\x1a\n and then nothing"}) {
         std::ofstream(folder / "a.h5", std::ios::trunc) << content;
-        CHECK(names(refusal(folder / "a.h5"), folder / "a.h5", "HDF5"));
+        CHECK(names(refusal_of(folder / "a.h5"), folder / "a.h5", "HDF5"));
     }
 }
 
@@ -48,7 +44,7 @@ TEST_CASE("a file cut short is refused wherever the cut falls", "[dataset]") {
         std::ofstream(folder / "cut.h5", std::ios::binary | std::ios::trunc)
             << whole.substr(0, kept);
         INFO(kept << " of " << whole.size() << " bytes");
-        CHECK(names(refusal(folder / "cut.h5"), folder / "cut.h5", ""));
+        CHECK(names(refusal_of(folder / "cut.h5"), folder / "cut.h5", ""));
     }
 }
 
@@ -81,13 +77,13 @@ TEST_CASE("another program's file is refused for what it lacks", "[dataset]") {
         out.write<float>("/signal", {3}, 3, {1.0f, 2.0f, 3.0f});
         out.publish();
     }
-    CHECK(names(refusal(file), file, "/@format: is missing"));
+    CHECK(names(refusal_of(file), file, "/@format: is missing"));
     {
         Hdf5File out = Hdf5File::create(file);
         out.set_text("/", "format", "somebody-elses");
         out.publish();
     }
-    CHECK(names(refusal(file), file, "/@format: is not a dataset of this program"));
+    CHECK(names(refusal_of(file), file, "/@format: is not a dataset of this program"));
 }
 
 #ifdef SPECULA_TEST_HAS_HDF5
@@ -156,8 +152,8 @@ std::vector<Damage> damages() {
         {"labels of another type", [](Hdf5Probe& h5) { h5.put_claim("/label", {7}); },
          "/label: holds another type"},
     };
-    for (const std::string column : {"/label", "/group/world", "/group/frame", "/truth/bow_m",
-                                     "/frame_hash"})
+    for (const std::string column :
+         {"/label", "/group/world", "/group/frame", "/truth/bow_m", "/frame_hash"})
         list.push_back(
             {"no " + column, [=](Hdf5Probe& h5) { h5.remove(column); }, column + ": is missing"});
     for (const std::string name :
@@ -177,8 +173,8 @@ TEST_CASE("each object that is missing or of another kind is named", "[dataset]"
             Hdf5Probe h5(file);
             damage.spoil(h5);
         }
-        INFO(damage.what << ": " << refusal(file));
-        CHECK(names(refusal(file), file, damage.named));
+        INFO(damage.what << ": " << refusal_of(file));
+        CHECK(names(refusal_of(file), file, damage.named));
     }
 }
 
@@ -189,7 +185,7 @@ TEST_CASE("a label that names no class is refused", "[dataset]") {
     Dataset dataset = made_up_dataset();
     dataset.truth[4].label = 3;
     write_dataset(folder / "a.h5", dataset);
-    CHECK(names(refusal(folder / "a.h5"), folder / "a.h5", "/label: 3 beside 3 class names"));
+    CHECK(names(refusal_of(folder / "a.h5"), folder / "a.h5", "/label: 3 beside 3 class names"));
 }
 
 TEST_CASE("columns of another length than the frames are refused", "[dataset]") {
@@ -209,7 +205,7 @@ TEST_CASE("columns of another length than the frames are refused", "[dataset]") 
         out.write<std::uint8_t>("/label", {3}, 3, {0, 1, 0});
         out.publish();
     }
-    CHECK(names(refusal(file), file, "/label of 3 rows beside 2 frames"));
+    CHECK(names(refusal_of(file), file, "/label of 3 rows beside 2 frames"));
 }
 
 TEST_CASE("a seed that is no number is refused", "[dataset]") {
@@ -225,7 +221,7 @@ TEST_CASE("a seed that is no number is refused", "[dataset]") {
         out.set_number("/", "range_bin_m", 0.04);
         out.publish();
         INFO(seed);
-        CHECK(names(refusal(file), file, "/@seed"));
+        CHECK(names(refusal_of(file), file, "/@seed"));
     }
 }
 

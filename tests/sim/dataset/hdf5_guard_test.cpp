@@ -17,10 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string refusal(const fs::path& file) {
-    return message_of([&] { return read_dataset(file); });
-}
-
 TEST_CASE("all tables are found, with type and attributes", "[dataset]") {
     const TemporaryFolder folder;
     write_dataset(folder / "a.h5", made_up_recording());
@@ -57,8 +53,8 @@ TEST_CASE("a file whose structure has no checksums is refused, with the way out"
     const TemporaryFolder folder;
     const fs::path file = folder / "old.h5";
     H5Fclose(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
-    CHECK(refusal(file).find("old.h5: file: is HDF5 of an old form") != std::string::npos);
-    CHECK(refusal(file).find("h5repack --latest") != std::string::npos);
+    CHECK(refusal_of(file).find("old.h5: file: is HDF5 of an old form") != std::string::npos);
+    CHECK(refusal_of(file).find("h5repack --latest") != std::string::npos);
 }
 
 TEST_CASE("links that lead elsewhere are not followed", "[dataset]") {
@@ -69,12 +65,12 @@ TEST_CASE("links that lead elsewhere are not followed", "[dataset]") {
         H5Ldelete(file, "/label", H5P_DEFAULT);
         H5Lcreate_external(other.c_str(), "/label", file, "/label", H5P_DEFAULT, H5P_DEFAULT);
     });
-    CHECK(refusal(external).find("/label: is missing") != std::string::npos);
+    CHECK(refusal_of(external).find("/label: is missing") != std::string::npos);
     const fs::path soft = spoilt(folder, [](hid_t file) {
         H5Ldelete(file, "/truth/bow_m", H5P_DEFAULT);
         H5Lcreate_soft("/truth/height_m", file, "/truth/bow_m", H5P_DEFAULT, H5P_DEFAULT);
     });
-    CHECK(refusal(soft).find("/truth/bow_m: is missing") != std::string::npos);
+    CHECK(refusal_of(soft).find("/truth/bow_m: is missing") != std::string::npos);
     const auto tables = Hdf5File::open(soft).tables();
     CHECK(std::find(tables.begin(), tables.end(), "/truth/bow_m") == tables.end());
 }
@@ -93,7 +89,7 @@ TEST_CASE("a table whose numbers lie in another file is not read", "[dataset]") 
         H5Sclose(space);
         H5Pclose(creation);
     });
-    CHECK(refusal(file).find("/adc: is stored in a way") != std::string::npos);
+    CHECK(refusal_of(file).find("/adc: is stored in a way") != std::string::npos);
 }
 
 #endif

@@ -5,6 +5,7 @@
 
 #include "sim/core/random.hpp"
 #include "sim/dataset/dataset.hpp"
+#include "tests/message_of.hpp"
 
 namespace specula {
 
@@ -65,6 +66,10 @@ inline Dataset made_up_recording() {
 inline std::string bytes_of(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+inline std::string refusal_of(const std::filesystem::path& file) {
+    return message_of([&] { return read_dataset(file); });
 }
 
 }  // namespace specula

@@ -25,7 +25,8 @@ fs::path capture(const std::string& name) {
     return {};
 }
 
-Dataset imported(const std::string& format, const fs::path& input, const std::string& manifest) {
+Dataset imported_capture(const std::string& format, const fs::path& input,
+                         const std::string& manifest) {
     const Catalogue catalogue = Catalogue::open(SPECULA_SOURCE_DIR);
     const auto section = Section::parse(manifest, "manifest");
     const auto recording = import_recording(format, input, read_manifest(section, catalogue));
@@ -56,7 +57,7 @@ Channel channel(const Dataset& dataset, std::size_t rx) {
 TEST_CASE("a raw IWRL6432 recording has the levels others measured on it", "[captures]") {
     const fs::path file = capture("iwrl6432_adc/adc_i16le_1024frames_3rx_256samp.bin");
     if (file.empty()) return;
-    const Dataset dataset = imported("adc", file, "[layout]\nrx = 3\nsamples = 256\n");
+    const Dataset dataset = imported_capture("adc", file, "[layout]\nrx = 3\nsamples = 256\n");
     CHECK(dataset.n_frames() == 1024);
     const double offset[] = {-5, -47, 39};
     const int largest[] = {1009, 531, 693};
@@ -73,16 +74,16 @@ TEST_CASE("real chirps read with receivers and samples exchanged are refused", "
     const std::string exchanged =
         "[layout]\naxes = ['frame', 'sample', 'rx']\nrx = 3\nsamples = 256\n";
     CHECK(message_of([&] {
-              return imported("adc", file, exchanged).n_frames();
+              return imported_capture("adc", file, exchanged).n_frames();
           }).find("the codes jump 5.7 times as much as with rx and sample exchanged") !=
           std::string::npos);
-    CHECK(imported("adc", file, exchanged + "trust_axes = true\n").n_frames() == 1024);
+    CHECK(imported_capture("adc", file, exchanged + "trust_axes = true\n").n_frames() == 1024);
 }
 
 TEST_CASE("a UART dump of an IWRL6432 is whole packets of 64 bins", "[captures]") {
     const fs::path file = capture("iwrl6432_uart/pHistBytes_1.bin");
     if (file.empty()) return;
-    const Dataset dataset = imported("uart", file, "");
+    const Dataset dataset = imported_capture("uart", file, "");
     CHECK(dataset.n_frames() == 100);
     CHECK(dataset.feature_names.size() == 64);
     CHECK(dataset.features[0] == 0x0c79);  // as a hex dump of the file shows
@@ -94,7 +95,7 @@ TEST_CASE("a UART dump of an IWRL6432 is whole packets of 64 bins", "[captures]"
 TEST_CASE("an Infineon folder gives frames around the middle of its ADC", "[captures]") {
     const fs::path folder = capture("bgt60tr13c");
     if (folder.empty()) return;
-    const Dataset dataset = imported("infineon", folder, "");
+    const Dataset dataset = imported_capture("infineon", folder, "");
     CHECK(dataset.n_frames() == 256);
     CHECK(dataset.n_chirps == 8);
     CHECK(dataset.n_rx == 3);
@@ -107,8 +108,8 @@ TEST_CASE("complex arrays of a 77 GHz radar are unwrapped", "[captures]") {
     const fs::path folder = capture("iwr_adc_openradar");
     if (folder.empty()) return;
     const Dataset dataset =
-        imported("npy", folder / "doppler_example_1.npy",
-                 "[layout]\naxes = ['chirp', 'rx', 'sample']\nwrapped = true\n");
+        imported_capture("npy", folder / "doppler_example_1.npy",
+                         "[layout]\naxes = ['chirp', 'rx', 'sample']\nwrapped = true\n");
     CHECK(dataset.n_chirps == 128);
     CHECK(dataset.n_rx == 8);
     CHECK(dataset.n_samples == 128);
@@ -119,12 +120,12 @@ TEST_CASE("complex arrays of a 77 GHz radar are unwrapped", "[captures]") {
 TEST_CASE("views left out tell more of real materials than objects left out", "[captures]") {
     const fs::path file = capture("a111_materials_60ghz.npz");
     if (file.empty()) return;
-    const Dataset dataset =
-        imported("npz", file,
-                 "range_bin_mm = 0.48\nsample_axis = 'range'\n"
-                 "class_names = ['cardboard', 'glass', 'plastic']\n"
-                 "[layout]\nmember = 'frames_iq'\naxes = ['recording', 'frame', 'sample', 'iq']\n"
-                 "[labels]\nclass = 'cls'\nsample = 'obj'\nview = 'view'\n");
+    const Dataset dataset = imported_capture(
+        "npz", file,
+        "range_bin_mm = 0.48\nsample_axis = 'range'\n"
+        "class_names = ['cardboard', 'glass', 'plastic']\n"
+        "[layout]\nmember = 'frames_iq'\naxes = ['recording', 'frame', 'sample', 'iq']\n"
+        "[labels]\nclass = 'cls'\nsample = 'obj'\nview = 'view'\n");
     CHECK(dataset.n_frames() == 299 * 20);
     CHECK(groups_of(dataset, LeaveOut::sample).size() == 299 * 20);
     const FeatureTable rows = describe(dataset, descriptor_for(dataset), 2);

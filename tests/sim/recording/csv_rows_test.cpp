@@ -8,7 +8,7 @@ namespace {
 
 using Cells = std::vector<std::string>;
 
-std::string refusal(const std::string& text) {
+std::string csv_refusal(const std::string& text) {
     return message_of([&] { return read_csv(bytes_in(text)).rows.size(); });
 }
 
@@ -34,14 +34,14 @@ TEST_CASE("a cell comes back from its quotes", "[recording]") {
 }
 
 TEST_CASE("tables with gaps are refused with the byte of the row", "[recording]") {
-    CHECK(refusal("") == "byte 0: the table is empty; write column names and rows");
-    CHECK(refusal("a,b\n") == "byte 4: no row follows the names; write rows");
-    CHECK(refusal("a,b\n1,2\n3\n") ==
+    CHECK(csv_refusal("") == "byte 0: the table is empty; write column names and rows");
+    CHECK(csv_refusal("a,b\n") == "byte 4: no row follows the names; write rows");
+    CHECK(csv_refusal("a,b\n1,2\n3\n") ==
           "byte 8: a row of 1 cells under 2 names; give each row one cell per column");
-    CHECK(refusal("a,b\n1,\"2\n") == "byte 6: a quote that does not end; close it");
-    CHECK(refusal("a,b\n1,\"2\"3\n") ==
+    CHECK(csv_refusal("a,b\n1,\"2\n") == "byte 6: a quote that does not end; close it");
+    CHECK(csv_refusal("a,b\n1,\"2\"3\n") ==
           "byte 9: text behind a closed quote; double the quotes inside");
-    CHECK(refusal(std::string("a,b\n1,\0\n", 8)).rfind("byte 6: a zero byte", 0) == 0);
+    CHECK(csv_refusal(std::string("a,b\n1,\0\n", 8)).rfind("byte 6: a zero byte", 0) == 0);
 }
 
 TEST_CASE("a number is a whole cell, finite, and no locale's", "[recording]") {
@@ -53,13 +53,10 @@ TEST_CASE("a number is a whole cell, finite, and no locale's", "[recording]") {
 }
 
 TEST_CASE("a table without names, or with a name twice, is refused", "[recording]") {
-    const auto refusal = [](const std::string& text) {
-        return message_of(
-            [&] { return read_csv({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}); });
-    };
-    CHECK(refusal("1,2.5\n3,4\n").find("the first row holds numbers only") != std::string::npos);
-    CHECK(refusal("a,b,a\n1,2,3\n").find("two columns are called \"a\"") != std::string::npos);
-    CHECK(refusal("a,2\n1,2\n").find("names") == std::string::npos);
+    CHECK(csv_refusal("1,2.5\n3,4\n").find("the first row holds numbers only") !=
+          std::string::npos);
+    CHECK(csv_refusal("a,b,a\n1,2,3\n").find("two columns are called \"a\"") != std::string::npos);
+    CHECK(csv_refusal("a,2\n1,2\n").find("names") == std::string::npos);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ std::string payload_of(std::size_t n) {
     return payload;
 }
 
-std::string refusal(const std::string& packets) {
+std::string packet_refusal(const std::string& packets) {
     return message_of([&] { return dca1000_payload(bytes_in(packets)); });
 }
 
@@ -34,18 +34,19 @@ TEST_CASE("a packet begins with its number and the place of its payload", "[reco
 TEST_CASE("lost, repeated and torn packets are told with their byte", "[recording]") {
     const std::string packets = dca1000_packets(bytes_in(payload_of(5000)));
     const std::size_t one = 1466;
-    CHECK(refusal(packets.substr(one)) ==
+    CHECK(packet_refusal(packets.substr(one)) ==
           "byte 0: packet 2 where 1 is due; is this a file of packets with their headers?");
-    CHECK(refusal(packets.substr(0, one) + packets.substr(2 * one)) ==
+    CHECK(packet_refusal(packets.substr(0, one) + packets.substr(2 * one)) ==
           "byte 1466: packet 3 where 2 is due; packets were lost; record again");
-    CHECK(refusal(packets.substr(0, one) + packets) ==
+    CHECK(packet_refusal(packets.substr(0, one) + packets) ==
           "byte 1466: packet 1 where 2 is due; packets were lost; record again");
     std::string misplaced = packets;
     misplaced[one + 4] = 0;
-    CHECK(refusal(misplaced).rfind("byte 1470: packet 2 belongs at ", 0) == 0);
-    CHECK(refusal(packets.substr(0, one + 5)).find("the data end inside a packet's header") !=
-          std::string::npos);
-    CHECK(refusal(packets.substr(0, one + 10)).find("a packet without payload") !=
+    CHECK(packet_refusal(misplaced).rfind("byte 1470: packet 2 belongs at ", 0) == 0);
+    CHECK(
+        packet_refusal(packets.substr(0, one + 5)).find("the data end inside a packet's header") !=
+        std::string::npos);
+    CHECK(packet_refusal(packets.substr(0, one + 10)).find("a packet without payload") !=
           std::string::npos);
 }
 

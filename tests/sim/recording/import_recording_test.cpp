@@ -4,16 +4,12 @@
 #include "tests/check.hpp"
 #include "tests/made_up_folder.hpp"
 #include "tests/message_of.hpp"
+#include "tests/project_catalogue.hpp"
 
 // From files and a manifest to a dataset: layouts, labels, and what is refused.
 
 namespace specula {
 namespace {
-
-const Catalogue& catalogue() {
-    static const Catalogue opened = Catalogue::open(SPECULA_SOURCE_DIR);
-    return opened;
-}
 
 RecordingManifest manifest(const std::string& text) {
     return read_manifest(Section::parse(text, "m.toml"), catalogue());
@@ -31,8 +27,8 @@ Dataset imported(const std::string& format, const std::string& content,
     return import_recording(format, folder.with("r", content), manifest(manifest_text)).dataset;
 }
 
-std::string refusal(const std::string& format, const std::string& content,
-                    const std::string& manifest_text) {
+std::string import_refusal(const std::string& format, const std::string& content,
+                           const std::string& manifest_text) {
     const MadeUpFolder folder;
     const auto file = folder.with("r", content);
     const std::string message = message_of(
@@ -87,7 +83,7 @@ TEST_CASE("parts label frames, and truth is known where all parts know it", "[re
     CHECK(longer.class_names.back() == "unlabelled");
     CHECK(longer.truth[4].label == 2);
     CHECK(longer.unknown_truth.all());
-    CHECK(refusal("adc", codes(6), parts + layout) ==
+    CHECK(import_refusal("adc", codes(6), parts + layout) ==
           "frames = [2, 3]: the recording has 3 frames; end at 2");
 }
 
@@ -115,9 +111,9 @@ TEST_CASE("columns may have other names, and words for numbers", "[recording]") 
     CHECK(dataset.features == std::vector<double>{5, 6});
     CHECK(dataset.class_names == std::vector<std::string>{"oak", "pine"});
     CHECK(dataset.truth[1].sample == 1);
-    CHECK(refusal("csv", "a,b\n1,x\n", "") ==
+    CHECK(import_refusal("csv", "a,b\n1,x\n", "") ==
           "byte 4: b = \"x\": is not a finite number; write it as 1.5e-3");
-    CHECK(refusal("csv", "a,b\n1,2\n", "[labels]\nclass = 'c'\n") ==
+    CHECK(import_refusal("csv", "a,b\n1,2\n", "[labels]\nclass = 'c'\n") ==
           "byte 0: no column is called \"c\"; use \"a\" or \"b\"");
 }
 
@@ -128,21 +124,20 @@ TEST_CASE("arrays are read by their axes, wrapped codes on request", "[recording
     const std::string axes = "[layout]\naxes = ['frame', 'rx', 'sample']\n";
     CHECK(imported("npy", array, axes + "wrapped = true\n").adc ==
           std::vector<std::int16_t>{1, -1, -25536, 2});
-    CHECK(refusal("npy", array, axes) ==
+    CHECK(import_refusal("npy", array, axes) ==
           "byte 130: 65535: is not an ADC code of 16 bits; if it stands for a negative one, say "
           "wrapped = true in [layout]");
-    CHECK(refusal("npy", array, "").rfind("axes: 0 names for an array of 3 axes", 0) == 0);
+    CHECK(import_refusal("npy", array, "").rfind("axes: 0 names for an array of 3 axes", 0) == 0);
 }
 
 TEST_CASE("a torn or unknown layout is refused", "[recording]") {
-    CHECK(refusal("adc", codes(10), "[layout]\nrx = 2\nsamples = 4\n") ==
+    CHECK(import_refusal("adc", codes(10), "[layout]\nrx = 2\nsamples = 4\n") ==
           "byte 16: the data end inside frame 1; is the file whole, and are the lengths right?");
-    CHECK(refusal("adc", codes(10), "")
+    CHECK(import_refusal("adc", codes(10), "")
               .rfind("rx: its length is not known; give chirps, rx and samples", 0) == 0);
-    CHECK(refusal("adc", "", "").rfind("is empty or cannot be read", 0) == 0);
-    CHECK(
-        refusal("uart", "garbage", "").rfind("byte 0: of 0 packets none has a range profile", 0) ==
-        0);
+    CHECK(import_refusal("adc", "", "").rfind("is empty or cannot be read", 0) == 0);
+    CHECK(import_refusal("uart", "garbage", "")
+              .rfind("byte 0: of 0 packets none has a range profile", 0) == 0);
     const auto wrong = [](const std::string& text) {
         return message_of([&] { return manifest(text).parts.size(); });
     };

@@ -12,7 +12,7 @@ const std::string config = R"({"device_config": {"fmcw_single_shape": {
     "rx_antennas": [1, 2, 3], "sample_rate_Hz": 2000000, "start_frequency_Hz": 58000000000,
     "mimo_mode": "off"}}})";
 
-std::string refusal(const std::string& from, const std::string& to) {
+std::string config_refusal(const std::string& from, const std::string& to) {
     return message_of([&] { return read_infineon_config(edited(config, from, to)).n_rx; });
 }
 
@@ -30,15 +30,18 @@ TEST_CASE("a configuration says shape and range bin", "[recording]") {
 
 TEST_CASE("what is wrong in a configuration is named", "[recording]") {
     CHECK(message_of([] { return read_infineon_config("{\"a\": ").n_rx; }).rfind("byte ", 0) == 0);
-    CHECK(refusal("63500000000", "1e999").rfind("byte 0: holds a number beyond all range", 0) == 0);
-    CHECK(refusal("num_chirps_per_frame", "chirps") ==
+    CHECK(config_refusal("63500000000", "1e999")
+              .rfind("byte 0: holds a number beyond all range", 0) == 0);
+    CHECK(config_refusal("num_chirps_per_frame", "chirps") ==
           "num_chirps_per_frame: is missing; name the config.json of an FMCW recording");
-    CHECK(refusal("\"num_chirps_per_frame\": 8", "\"num_chirps_per_frame\": 8.5")
+    CHECK(config_refusal("\"num_chirps_per_frame\": 8", "\"num_chirps_per_frame\": 8.5")
               .rfind("num_chirps_per_frame: 8.5: is not a whole number", 0) == 0);
-    CHECK(refusal("64,", "-64,").rfind("num_samples_per_chirp: -64: is not above 0", 0) == 0);
-    CHECK(refusal("[1, 2, 3]", "[]").rfind("rx_antennas: names none", 0) == 0);
-    CHECK(refusal("2000000,", "\"fast\",").rfind("sample_rate_Hz: is not a number", 0) == 0);
-    CHECK(refusal("63500000000", "57000000000").rfind("end_frequency_Hz: is not above", 0) == 0);
+    CHECK(config_refusal("64,", "-64,").rfind("num_samples_per_chirp: -64: is not above 0", 0) ==
+          0);
+    CHECK(config_refusal("[1, 2, 3]", "[]").rfind("rx_antennas: names none", 0) == 0);
+    CHECK(config_refusal("2000000,", "\"fast\",").rfind("sample_rate_Hz: is not a number", 0) == 0);
+    CHECK(config_refusal("63500000000", "57000000000").rfind("end_frequency_Hz: is not above", 0) ==
+          0);
     CHECK(message_of([] { return read_infineon_config("[]").n_rx; }).rfind("device_config: ", 0) ==
           0);
 }

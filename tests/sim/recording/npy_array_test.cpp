@@ -23,7 +23,7 @@ std::string dictionary(const std::string& descr, const std::string& shape,
     return "{'descr': '" + descr + "', 'fortran_order': " + fortran + ", 'shape': " + shape + ", }";
 }
 
-std::string refusal(const std::string& bytes) {
+std::string npy_refusal(const std::string& bytes) {
     return message_of([&] { return read_npy(bytes_in(bytes)).shape.size(); });
 }
 
@@ -80,26 +80,28 @@ TEST_CASE("what is written is NumPy's format and comes back", "[recording]") {
 }
 
 TEST_CASE("pickled objects are refused, not run", "[recording]") {
-    CHECK(refusal(npy(dictionary("|O", "(1,)"), "\x80\x04.")) ==
+    CHECK(npy_refusal(npy(dictionary("|O", "(1,)"), "\x80\x04.")) ==
           "byte 6: elements of type \"|O\": are pickled Python objects, and those are programs; "
           "save plain numbers; this is never run");
     const std::string records =
         "{'descr': [('a', '<i2')], 'fortran_order': False, 'shape': (1,), }";
-    CHECK(refusal(npy(records, "ab")).rfind("byte 20: records of several fields", 0) == 0);
+    CHECK(npy_refusal(npy(records, "ab")).rfind("byte 20: records of several fields", 0) == 0);
 }
 
 TEST_CASE("files that are not what they say are refused with the byte", "[recording]") {
     const std::string whole = npy(dictionary("<i2", "(3, 2)"), std::string(12, 'x'));
-    CHECK(refusal("PK") == "byte 0: is not NumPy's array format; name an .npy file");
-    CHECK(refusal(whole.substr(0, 6)).rfind("byte 6: the data end inside the version", 0) == 0);
-    CHECK(refusal(whole.substr(0, 9)).rfind("byte 9: the data end inside the header", 0) == 0);
-    CHECK(refusal(whole.substr(0, 40)).rfind("byte 40: the data end inside the header", 0) == 0);
-    CHECK(refusal(whole.substr(0, whole.size() - 1)).rfind("byte 128: 11 bytes of elements", 0) ==
+    CHECK(npy_refusal("PK") == "byte 0: is not NumPy's array format; name an .npy file");
+    CHECK(npy_refusal(whole.substr(0, 6)).rfind("byte 6: the data end inside the version", 0) == 0);
+    CHECK(npy_refusal(whole.substr(0, 9)).rfind("byte 9: the data end inside the header", 0) == 0);
+    CHECK(npy_refusal(whole.substr(0, 40)).rfind("byte 40: the data end inside the header", 0) ==
           0);
-    CHECK(refusal(whole + "y").rfind("byte 128: 13 bytes of elements", 0) == 0);
+    CHECK(
+        npy_refusal(whole.substr(0, whole.size() - 1)).rfind("byte 128: 11 bytes of elements", 0) ==
+        0);
+    CHECK(npy_refusal(whole + "y").rfind("byte 128: 13 bytes of elements", 0) == 0);
     for (const std::string shape :
          {"(4294967296, 4294967296, 4294967296)", "(18446744073709551615, 2)", "(9, 9)"})
-        CHECK(refusal(npy(dictionary("<i2", shape), "ab")).find("2 bytes of elements") !=
+        CHECK(npy_refusal(npy(dictionary("<i2", shape), "ab")).find("2 bytes of elements") !=
               std::string::npos);
     for (const auto& [broken, problem] : std::vector<std::pair<std::string, std::string>>{
              {"{'descr': '<i2'}", "descr, fortran_order or shape is missing"},
@@ -110,11 +112,11 @@ TEST_CASE("files that are not what they say are refused with the byte", "[record
              {"{'shape': (-1,), }", "a length is missing or too large"},
              {"[]", "'{' is missing"}}) {
         INFO(broken);
-        const std::string message = refusal(npy(broken, ""));
+        const std::string message = npy_refusal(npy(broken, ""));
         CHECK(message.rfind("byte ", 0) == 0);
         CHECK(message.find("in the header: " + problem) != std::string::npos);
     }
-    CHECK(refusal(npy(dictionary("<i3", "(1,)"), "abc")).find("are not known here") !=
+    CHECK(npy_refusal(npy(dictionary("<i3", "(1,)"), "abc")).find("are not known here") !=
           std::string::npos);
 }
 

@@ -9,7 +9,7 @@ namespace specula {
 namespace {
 
 /// Three receivers of different offset and phase, a slow beat and a little noise: (rx, sample).
-std::vector<std::int16_t> chirp(double cycles) {
+std::vector<std::int16_t> chirp_with(double cycles) {
     Stream stream({.seed = 2, .purpose = "chirp"});
     std::vector<std::int16_t> codes;
     for (int rx = 0; rx < 3; ++rx)
@@ -27,7 +27,7 @@ double suspicion(const std::vector<std::int16_t>& codes, const AxisOrder& order)
 TEST_CASE("codes read in the wrong one of two orders jump", "[recording]") {
     const AxisOrder by_rx{{"rx", "sample"}, {3, 128}}, interleaved{{"sample", "rx"}, {128, 3}};
     for (const double cycles : {1.0, 5.0, 11.5}) {
-        const auto codes = chirp(cycles);
+        const auto codes = chirp_with(cycles);
         const auto mixed = rearrange(arrange(codes, by_rx), interleaved);
         CHECK(suspicion(codes, by_rx) < 1.0);
         CHECK(suspicion(mixed, interleaved) < 1.0);

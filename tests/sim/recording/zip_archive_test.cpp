@@ -60,7 +60,7 @@ std::string smallest_archive() {
     return bytes;
 }
 
-std::string refusal(const std::string& bytes) {
+std::string zip_refusal(const std::string& bytes) {
     return message_of([&] {
         const ZipArchive archive(bytes_in(bytes));
         return archive.extract("a");
@@ -98,11 +98,11 @@ TEST_CASE("every cut through an archive is refused", "[recording]") {
     const std::string whole = smallest_archive();
     for (std::size_t kept = 0; kept < whole.size(); ++kept) {
         INFO(kept);
-        CHECK(refusal(whole.substr(0, kept)).rfind("byte ", 0) == 0);
+        CHECK(zip_refusal(whole.substr(0, kept)).rfind("byte ", 0) == 0);
     }
     for (std::size_t gone = 1; gone < whole.size(); ++gone) {
         INFO(gone);
-        CHECK(refusal(whole.substr(gone)).rfind("byte ", 0) == 0);
+        CHECK(zip_refusal(whole.substr(gone)).rfind("byte ", 0) == 0);
     }
 }
 
@@ -112,7 +112,7 @@ TEST_CASE("sizes, methods and checksums that cannot be are refused with the byte
     const auto changed = [&](std::size_t at, char to) {
         std::string bytes = whole;
         bytes[at] = to;
-        return refusal(bytes);
+        return zip_refusal(bytes);
     };
     CHECK(changed(31, '?') ==
           "byte 31: \"a\" has another checksum than it should; "
@@ -124,7 +124,8 @@ TEST_CASE("sizes, methods and checksums that cannot be are refused with the byte
     CHECK(changed(entry + 24, 2).find("a stored member of two sizes") != std::string::npos);
     CHECK(changed(entry + 42, 5).find("no member's header") != std::string::npos);
     CHECK(changed(0, '?').find("byte 0: no member's header") == 0);
-    CHECK(refusal("not an archive at all").find("no ZIP directory ends here") != std::string::npos);
+    CHECK(zip_refusal("not an archive at all").find("no ZIP directory ends here") !=
+          std::string::npos);
 }
 
 }  // namespace

@@ -9,19 +9,18 @@
 namespace specula {
 namespace {
 
-constexpr double frequency_hz = 60e9;
 const TraceSettings with_edges{
-    .highest_hz = frequency_hz, .accuracy_db = 1e-6, .max_bounces = 1, .edge_currents = true};
+    .highest_hz = test_frequency_hz, .accuracy_db = 1e-6, .max_bounces = 1, .edge_currents = true};
 
 /// What the edges alone send back.
 Complex fringe(const Target& target, const PlateScene& scene) {
     const Scatter scatter{
         .n_rx = 1, .routes = {}, .edges = trace_edges(target, scene.antennas(), with_edges)};
     const std::vector<Reflector> metals(target.bodies().size(), perfect_conductor());
-    return edge_sum(scatter, 0, metals, frequency_hz);
+    return edge_sum(scatter, 0, metals, test_frequency_hz);
 }
 
-PlateScene tilted_plate() {
+PlateScene twice_tilted_plate() {
     PlateScene scene;
     scene.plate = {.size_x_m = 0.1, .size_y_m = 0.14};
     scene.pose.sample = {0.05, 0.2};
@@ -31,15 +30,15 @@ PlateScene tilted_plate() {
 }
 
 TEST_CASE("without the option no edge radiates", "[edges]") {
-    PlateScene scene = tilted_plate();
-    TraceSettings settings{.highest_hz = frequency_hz};
+    PlateScene scene = twice_tilted_plate();
+    TraceSettings settings{.highest_hz = test_frequency_hz};
     CHECK(trace(scene.target(), scene.antennas(), settings).edges.empty());
     settings.edge_currents = true;
     CHECK(trace(scene.target(), scene.antennas(), settings).edges.size() == 1);
 }
 
 TEST_CASE("a plate's rim radiates the same as that of the same plate in triangles", "[edges]") {
-    const PlateScene scene = tilted_plate();
+    const PlateScene scene = twice_tilted_plate();
     const Complex plate = fringe(scene.target(), scene);
     const Mesh mesh = triangulate(scene.plate, scene.plate_placement());
     const Complex triangles = fringe(Target({mesh_body(mesh, true, 0.0)}), scene);
@@ -48,9 +47,9 @@ TEST_CASE("a plate's rim radiates the same as that of the same plate in triangle
 }
 
 TEST_CASE("a rim summed in pieces is the sum over a fine regular spacing", "[edges]") {
-    const PlateScene scene = tilted_plate();
+    const PlateScene scene = twice_tilted_plate();
     const AntennaSet antennas = scene.antennas();
-    const double k = two_pi * frequency_hz / speed_of_light_m_s;
+    const double k = two_pi * test_frequency_hz / speed_of_light_m_s;
     constexpr int n = 4000;
     Complex sum = 0.0;
     for (const FreeEdge& edge : free_edges(scene.target().bodies().front())) {
@@ -71,7 +70,7 @@ TEST_CASE("a rim summed in pieces is the sum over a fine regular spacing", "[edg
 }
 
 TEST_CASE("a rim from behind is the same rim", "[edges]") {
-    PlateScene scene = tilted_plate();
+    PlateScene scene = twice_tilted_plate();
     const Complex front = fringe(scene.target(), scene);
     Placement turned = scene.plate_placement();
     turned.rotation = turned.rotation * Eigen::AngleAxisd(pi, Vector3::UnitX()).toRotationMatrix();
@@ -80,7 +79,7 @@ TEST_CASE("a rim from behind is the same rim", "[edges]") {
 }
 
 TEST_CASE("an edge between the antennas, or behind a screen, adds nothing", "[edges]") {
-    PlateScene scene = tilted_plate();
+    PlateScene scene = twice_tilted_plate();
     PlateScene astride = scene;
     astride.pose.sample = {0.0, 0.0};
     astride.rx_m.z() = -0.9;  // as far below the plate as the TX stands above
@@ -113,13 +112,13 @@ TEST_CASE("which antenna sends changes the fringe little, and the echo less", "[
     const Reflector mirror = perfect_conductor();
     double fringe_db = 0.0, echo_db = 0.0;
     for (const double tilt_rad : {0.0, 0.05, 0.1, 0.17}) {
-        PlateScene scene = tilted_plate();
+        PlateScene scene = twice_tilted_plate();
         scene.pose.sample = {0.0, tilt_rad};
         PlateScene back = scene;
         std::swap(back.tx_m, back.rx_m);
         const auto echo = [&](const PlateScene& s) {
             return direct_sum(trace(s.target(), s.antennas(), with_edges), 0, {&mirror, 1},
-                              frequency_hz);
+                              test_frequency_hz);
         };
         fringe_db = std::max(
             fringe_db, deviation(fringe(scene.target(), scene), fringe(back.target(), back)).db);

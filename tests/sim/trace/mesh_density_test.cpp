@@ -10,8 +10,6 @@
 namespace specula {
 namespace {
 
-constexpr double frequency_hz = 60e9;
-
 PlateScene tilted_plate() {
     PlateScene scene;
     scene.plate = {.size_x_m = 0.1, .size_y_m = 0.08};
@@ -21,8 +19,8 @@ PlateScene tilted_plate() {
 
 Complex echo(const Target& target, const AntennaSet& antennas) {
     const Reflector mirror = perfect_conductor();
-    return direct_sum(trace(target, antennas, {.highest_hz = frequency_hz}), 0, {&mirror, 1},
-                      frequency_hz);
+    return direct_sum(trace(target, antennas, {.highest_hz = test_frequency_hz}), 0, {&mirror, 1},
+                      test_frequency_hz);
 }
 
 /// The plate's face as n x n fields of two triangles.
@@ -44,8 +42,8 @@ Mesh gridded(const Plate& plate, const Placement& placement, std::uint32_t n) {
 
 TEST_CASE("a plate echoes the same as 2, 200 or 20000 triangles", "[trace][mesh]") {
     const PlateScene scene = tilted_plate();
-    const Complex exact =
-        direct_sum(scene.scatter(frequency_hz), 0, std::array{perfect_conductor()}, frequency_hz);
+    const Complex exact = direct_sum(scene.scatter(test_frequency_hz), 0,
+                                     std::array{perfect_conductor()}, test_frequency_hz);
     for (const std::uint32_t n : {1u, 10u, 100u}) {
         const Target target(
             {mesh_body(gridded(scene.plate, scene.plate_placement(), n), true, 0.0)});
@@ -87,7 +85,7 @@ TEST_CASE("a sphere echoes the same from 6000 and from 25000 triangles", "[trace
     // The coarse one's triangles leave the sphere by 0.015 mm, 0.04 rad of phase.
     CHECK(deviation(coarse, fine).db < 0.1);
     // sigma = pi a^2; physical optics of a sphere of ka = 25 ripples by 0.2 dB about it.
-    const double wavelength_m = speed_of_light_m_s / frequency_hz;
+    const double wavelength_m = speed_of_light_m_s / test_frequency_hz;
     const double nearest_m = range_m - radius_m;
     const double gain = gain_towards(scene.pattern, {0.0, 0.0, -1.0});
     const double expected =

@@ -10,8 +10,6 @@
 namespace specula {
 namespace {
 
-constexpr double frequency_hz = 60e9;
-
 /// An isotropic antenna that looks along a direction.
 PlacedAntenna antenna_at(const Vector3& position, const Vector3& along) {
     Rotation frame;
@@ -29,9 +27,9 @@ Mesh trihedral(double leg_m) {
 /// Radar cross-section of what a far radar sees, from |h|^2 = lambda^2 sigma / ((4 pi)^3 R^4).
 double cross_section_m2(const Scatter& scatter, double range_m) {
     const Reflector mirror = perfect_conductor();
-    const double wavelength_m = speed_of_light_m_s / frequency_hz;
-    return std::norm(direct_sum(scatter, 0, {&mirror, 1}, frequency_hz)) * std::pow(4.0 * pi, 3) *
-           std::pow(range_m, 4) / (wavelength_m * wavelength_m);
+    const double wavelength_m = speed_of_light_m_s / test_frequency_hz;
+    return std::norm(direct_sum(scatter, 0, {&mirror, 1}, test_frequency_hz)) *
+           std::pow(4.0 * pi, 3) * std::pow(range_m, 4) / (wavelength_m * wavelength_m);
 }
 
 TEST_CASE("a triangular trihedral returns what its aperture says", "[trace][reference]") {
@@ -43,7 +41,7 @@ TEST_CASE("a triangular trihedral returns what its aperture says", "[trace][refe
                               std::cos(theta));
         const Target target({mesh_body(trihedral(point["inp"]["leg_a_m"]), true, 0.0)});
         const PlacedAntenna radar = antenna_at(far_m * towards, -towards);
-        Scatter scatter = trace(target, {radar, {radar}}, {.highest_hz = frequency_hz});
+        Scatter scatter = trace(target, {radar, {radar}}, {.highest_hz = test_frequency_hz});
         const double expected_m2 = point["expect"]["sigma_m2"];
         // Single and double bounces add to the reference's three: its tolerance is 1 dB.
         CHECK(10.0 * std::log10(cross_section_m2(scatter, far_m) / expected_m2) ==
@@ -72,9 +70,9 @@ TEST_CASE("two sheets of metal at right angles mirror the radar three times",
     radar.rotation.col(1) = Vector3::UnitZ();  // polarised along the edge
     radar.rotation.col(0) = radar.rotation.col(1).cross(radar.rotation.col(2));
     const Scatter scatter =
-        trace(target, {radar, {radar}}, {.highest_hz = frequency_hz, .max_bounces = 2});
+        trace(target, {radar, {radar}}, {.highest_hz = test_frequency_hz, .max_bounces = 2});
     const Reflector mirrors[] = {perfect_conductor(), perfect_conductor()};
-    const Complex total = direct_sum(scatter, 0, mirrors, frequency_hz);
+    const Complex total = direct_sum(scatter, 0, mirrors, test_frequency_hz);
     const Deviation off = deviation(total, complex_of(point["expect"]["total"]["h"]));
     CHECK(off.db < 0.15);  // the reference's tolerance: the rims of finite walls ripple
     CHECK(off.phase_deg < 3.0);
@@ -91,13 +89,13 @@ TEST_CASE("a sheet over metal echoes once for every round in the gap", "[trace]"
     const Target target({plate_body(scene.plate, scene.plate_placement(), false, thickness_m),
                          plate_body({.size_x_m = 0.5, .size_y_m = 0.5}, below, true, 0.0)});
     const Reflector bodies[] = {slab({2.6, -0.026}, thickness_m), perfect_conductor()};
-    const Scatter scatter =
-        trace(target, scene.antennas(), {.highest_hz = frequency_hz, .max_bounces = 2 * rounds - 1});
+    const Scatter scatter = trace(target, scene.antennas(),
+                                  {.highest_hz = test_frequency_hz, .max_bounces = 2 * rounds - 1});
 
     // Wide faces are images: each round in the gap is a mirror so much further away.
-    const Stack sheet = bodies[0](frequency_hz);
+    const Stack sheet = bodies[0](test_frequency_hz);
     const Complex r = stack_reflection(sheet, 1.0).te, t = stack_transmission(sheet, 1.0).te;
-    const double k = two_pi * frequency_hz / speed_of_light_m_s;
+    const double k = two_pi * test_frequency_hz / speed_of_light_m_s;
     Complex images = r / height_m;
     for (int m = 1; m <= rounds; ++m)
         images += -t * t * std::pow(-r, m - 1) * std::polar(1.0, -2.0 * k * gap_m * m) /
@@ -105,7 +103,7 @@ TEST_CASE("a sheet over metal echoes once for every round in the gap", "[trace]"
     const double gain = gain_towards(scene.pattern, {0.0, 0.0, -1.0});
     const Complex expected = images * std::polar(gain / (4.0 * k), -2.0 * k * height_m);
     // Three echoes of finite faces, each within the 0.3 dB and 4 degrees that case N06 gives one.
-    const Deviation off = deviation(direct_sum(scatter, 0, bodies, frequency_hz), expected);
+    const Deviation off = deviation(direct_sum(scatter, 0, bodies, test_frequency_hz), expected);
     CHECK(off.db < 0.3 * std::sqrt(3.0));
     CHECK(off.phase_deg < 4.0 * std::sqrt(3.0));
 }

@@ -10,8 +10,7 @@
 namespace specula {
 namespace {
 
-constexpr double frequency_hz = 60e9;
-constexpr FrequencyComb one_frequency{.first_hz = frequency_hz, .step_hz = 0.0, .n = 1};
+constexpr FrequencyComb one_frequency{.first_hz = test_frequency_hz, .step_hz = 0.0, .n = 1};
 
 Reflector rough_conductor(double roughness_m, double correlation_m) {
     return [=](double at_hz) {
@@ -34,7 +33,7 @@ Complex diffuse_echo(RouteScatter cells, std::uint64_t piece, const Reflector& r
     Stream stream({.seed = piece, .purpose = "speckle"});
     draw_speckle(cells, stream);
     const Scatter scatter{.n_rx = static_cast<int>(cells.rx.size()), .routes = {cells}};
-    return direct_sum(scatter, 0, {&reflector, 1}, frequency_hz);
+    return direct_sum(scatter, 0, {&reflector, 1}, test_frequency_hz);
 }
 
 /// |E[a b*]| over the root of the powers, and the mean phase between them, over all pieces: cells
@@ -43,10 +42,10 @@ struct Likeness {
     double size, phase_rad;
 };
 Likeness likeness(const PairScatter& a, const PairScatter& b, const Reflector& reflector) {
-    const Stack stack = reflector(frequency_hz);
+    const Stack stack = reflector(test_frequency_hz);
     const auto echo_of = [&](const PairScatter& pair, std::size_t i) {
         const Reflection r = diffuse_reflection(stack, face_of(stack, 0), pair.cos_incidence[i]);
-        const double turns = frequency_hz / speed_of_light_m_s * pair.path_m[i];
+        const double turns = test_frequency_hz / speed_of_light_m_s * pair.path_m[i];
         return (pair.weight[1][i] * r.te + pair.weight[2][i] * r.tm) *
                std::polar(1.0, -two_pi * turns);
     };
@@ -68,7 +67,7 @@ TEST_CASE("a small rough plate far below returns sigma0 times its area by the ra
     const Reflector reflector = rough_conductor(roughness_m, correlation_m);
     const double power =
         mean_diffuse_power(cells_in(scene, correlation_m), {&reflector, 1}, one_frequency)[0];
-    const double wavelength_m = speed_of_light_m_s / frequency_hz, k = two_pi / wavelength_m;
+    const double wavelength_m = speed_of_light_m_s / test_frequency_hz, k = two_pi / wavelength_m;
     const double x = std::pow(2.0 * k * roughness_m, 2);
     double series = 0.0, term = std::exp(-x);
     for (int n = 1; n < 30; ++n) {
@@ -119,9 +118,9 @@ TEST_CASE("speckle stands still with the piece and is another after 5 mm sideway
     // 30 um nearer, the vibration of a bench, turn all of it by 2k times that.
     const Likeness nearer = moved({0.0, 0.0, 3e-5});
     CHECK(nearer.size > 0.999);
-    CHECK(nearer.phase_rad == Approx(-4.0 * pi * frequency_hz / speed_of_light_m_s * 3e-5)
+    CHECK(nearer.phase_rad == Approx(-4.0 * pi * test_frequency_hz / speed_of_light_m_s * 3e-5)
                                   .epsilon(0.03));  // cells off the axis turn by their cosine
-    CHECK(moved({0.0, 0.0, 0.5 * speed_of_light_m_s / frequency_hz}).size > 0.9);
+    CHECK(moved({0.0, 0.0, 0.5 * speed_of_light_m_s / test_frequency_hz}).size > 0.9);
 }
 
 TEST_CASE("receivers a few millimetres apart see like speckle, 8 cm apart not", "[speckle]") {

@@ -9,19 +9,18 @@
 namespace specula {
 namespace {
 
-constexpr double frequency_hz = 60e9;
-
 /// The waves that meet the plate alone, with screens in the way.
 Scatter trace_with(const PlateScene& scene, const std::vector<Mesh>& screens) {
-    Scatter scatter = trace(scene.target(screens), scene.antennas(),
-                            {.highest_hz = frequency_hz, .accuracy_db = 1e-9, .max_bounces = 1});
+    Scatter scatter =
+        trace(scene.target(screens), scene.antennas(),
+              {.highest_hz = test_frequency_hz, .accuracy_db = 1e-9, .max_bounces = 1});
     std::erase_if(scatter.routes, [](const RouteScatter& r) { return r.route.body != 0; });
     return scatter;
 }
 
 Complex echo(const Scatter& scatter) {
     const Reflector mirror = perfect_conductor();
-    return direct_sum(scatter, 0, {&mirror, 1}, frequency_hz);
+    return direct_sum(scatter, 0, {&mirror, 1}, test_frequency_hz);
 }
 
 /// A plate that is a part of a bigger one: x from `left` to `right`.
@@ -47,20 +46,21 @@ TEST_CASE("a half hidden plate echoes as its open half alone", "[trace]") {
     for (const double rim_m : {-0.031, 0.0, 0.0437, 0.1}) {
         // The screen stands half way up, so its shadow's rim lies twice as far out.
         const Mesh hiding = screen(-1.0, 0.5 * rim_m, 0.5 * whole.pose.height_m);
-        const Complex open = echo(strip(whole, rim_m, 0.15).scatter(frequency_hz));
+        const Complex open = echo(strip(whole, rim_m, 0.15).scatter(test_frequency_hz));
         const Complex half = echo(trace_with(whole, {hiding}));
         INFO("rim at " << rim_m);
-        CHECK(std::abs(half - open) < rim * isotropic_mirror(whole.pose.height_m, frequency_hz));
+        CHECK(std::abs(half - open) <
+              rim * isotropic_mirror(whole.pose.height_m, test_frequency_hz));
     }
 }
 
 TEST_CASE("a shadow in the middle takes away what that part would have echoed", "[trace]") {
     PlateScene whole;
     const Mesh hiding = screen(-0.0113, 0.0171, 0.5 * whole.pose.height_m);
-    const Complex expected = echo(whole.scatter(frequency_hz)) -
-                             echo(strip(whole, -0.0226, 0.0342).scatter(frequency_hz));
+    const Complex expected = echo(whole.scatter(test_frequency_hz)) -
+                             echo(strip(whole, -0.0226, 0.0342).scatter(test_frequency_hz));
     const Complex found = echo(trace_with(whole, {hiding}));
-    CHECK(std::abs(found - expected) < rim * isotropic_mirror(0.45, frequency_hz));
+    CHECK(std::abs(found - expected) < rim * isotropic_mirror(0.45, test_frequency_hz));
 }
 
 TEST_CASE("what only the receiver cannot see is missing too", "[trace]") {
@@ -84,15 +84,15 @@ TEST_CASE("no plate shadows itself, flat, domed or dished", "[trace]") {
         const Mesh far_away = screen(5.0, 5.1, 0.0);  // makes the tracer look for shadows
         INFO("bow " << scene.plate.bow_m << ", height " << scene.pose.height_m);
         CHECK(std::abs(echo(trace_with(scene, {far_away})) - echo(trace_with(scene, {}))) <
-              1e-9 * isotropic_mirror(scene.pose.height_m, frequency_hz));
+              1e-9 * isotropic_mirror(scene.pose.height_m, test_frequency_hz));
     }
 }
 
 TEST_CASE("a metal plate echoes from its back as from its front", "[trace]") {
     PlateScene scene;
-    const Complex front = echo(scene.scatter(frequency_hz));
+    const Complex front = echo(scene.scatter(test_frequency_hz));
     scene.pose.sample.about_y_rad = pi;
-    CHECK(std::abs(echo(scene.scatter(frequency_hz)) - front) < 1e-9 * std::abs(front));
+    CHECK(std::abs(echo(scene.scatter(test_frequency_hz)) - front) < 1e-9 * std::abs(front));
 }
 
 TEST_CASE("more points than asked for change nothing", "[trace]") {
@@ -111,8 +111,8 @@ TEST_CASE("more points than asked for change nothing", "[trace]") {
         scene.tx_m = {-0.02 * stream.uniform(), 0.0, 0.0};
         scene.rx_m = {0.02 * stream.uniform(), 0.01, 0.0};
         if (i % 2 == 0) scene.pattern = PatchPattern{};
-        const Complex usual = echo(scene.scatter(frequency_hz));
-        const Complex finer = echo(scene.scatter(1.3 * frequency_hz));
+        const Complex usual = echo(scene.scatter(test_frequency_hz));
+        const Complex finer = echo(scene.scatter(1.3 * test_frequency_hz));
         worst = std::max(worst, std::abs(usual - finer) / std::abs(finer));
     }
     CHECK(worst < 1e-6);  // 1e-9 dB were asked for of each patch in phase; edges are 1e-3 of that
@@ -124,8 +124,8 @@ TEST_CASE("a plate echoes as the sum of its parts, also a small one straight bel
     const Reflector mirror = perfect_conductor();
     const auto echo_at = [&](const PlateScene& scene, double accuracy_db) {
         return direct_sum(trace(scene.target(), scene.antennas(),
-                                {.highest_hz = frequency_hz, .accuracy_db = accuracy_db}),
-                          0, {&mirror, 1}, frequency_hz);
+                                {.highest_hz = test_frequency_hz, .accuracy_db = accuracy_db}),
+                          0, {&mirror, 1}, test_frequency_hz);
     };
     for (const double height_m : {0.45, 1.0})
         for (const double size_m : {0.004, 0.01, 0.02, 0.04}) {
@@ -157,8 +157,8 @@ TEST_CASE("a radar above the edge of a wide plate sees half of it, above the cor
         scene.plate = {.size_x_m = 1.4, .size_y_m = 1.4};
         scene.pose.offset_x_m = centre_x_m;
         scene.pose.offset_y_m = centre_y_m;
-        return decibel(std::abs(echo(scene.scatter(frequency_hz))) /
-                       isotropic_mirror(scene.pose.height_m, frequency_hz));
+        return decibel(std::abs(echo(scene.scatter(test_frequency_hz))) /
+                       isotropic_mirror(scene.pose.height_m, test_frequency_hz));
     };
     CHECK(level_db(0.0, -0.7) ==
           Approx(reference["half_plane_2m_rel_image_db"].get<double>()).margin(ripple_db));
@@ -169,10 +169,9 @@ TEST_CASE("a radar above the edge of a wide plate sees half of it, above the cor
 TEST_CASE("paths and angles are those of the geometry", "[trace]") {
     PlateScene scene;
     scene.plate = {.size_x_m = 0.1, .size_y_m = 0.1};
-    const Scatter scatter = scene.scatter(frequency_hz);
+    const Scatter scatter = scene.scatter(test_frequency_hz);
     const PairScatter& pair = scatter.routes.at(0).rx.at(0);
-    const auto [shortest, longest] =
-        std::minmax_element(pair.path_m.begin(), pair.path_m.end());
+    const auto [shortest, longest] = std::minmax_element(pair.path_m.begin(), pair.path_m.end());
     const double corner_m = std::hypot(0.05, 0.05, 0.45);
     CHECK(*shortest >= 2.0 * 0.45);
     CHECK(*shortest < 2.0 * 0.45 + 5e-4);  // the middle point lies within 15 mm of the foot

@@ -4,6 +4,7 @@
 
 #include "sim/core/error.hpp"
 #include "tests/check.hpp"
+#include "tests/project_catalogue.hpp"
 #include "tests/run_program.hpp"
 #include "tools/bench/bench_figures.hpp"
 #include "tools/bench/bench_text.hpp"
@@ -14,11 +15,6 @@
 
 namespace specula {
 namespace {
-
-const Catalogue& catalogue() {
-    static const Catalogue known = Catalogue::open(SPECULA_SOURCE_DIR);
-    return known;
-}
 
 BenchReport measured(std::vector<std::string> parts) {
     std::atomic<std::size_t> done{0};

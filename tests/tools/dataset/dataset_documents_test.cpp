@@ -7,6 +7,7 @@
 #include "sim/core/error.hpp"
 #include "sim/dataset/sha256.hpp"
 #include "tests/check.hpp"
+#include "tests/contains.hpp"
 #include "tests/made_up_folder.hpp"
 #include "tests/message_of.hpp"
 #include "tests/sim/dataset/made_up_dataset.hpp"
@@ -17,10 +18,6 @@ namespace {
 using Json = nlohmann::json;
 
 const DocumentOptions licensed{.license = "CC-BY-4.0", .creator = "", .url = ""};
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
 
 struct Described {
     explicit Described(const Dataset& dataset = made_up_dataset()) {

@@ -1,6 +1,7 @@
 #include "tools/generate/merge.hpp"
 
 #include "tests/check.hpp"
+#include "tests/contains.hpp"
 #include "tests/message_of.hpp"
 #include "tests/sim/dataset/made_up_dataset.hpp"
 #include "tests/tools/generate/small_recipe.hpp"
@@ -28,10 +29,6 @@ class ThreeMachines {
     }
     const SmallRecipe small;
 };
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
 
 TEST_CASE("shards of several machines merge, in any order of the folders", "[generate]") {
     const ThreeMachines machines;

@@ -14,7 +14,7 @@ namespace specula {
 namespace {
 
 /// A board with everything that calibration finds, and its recording of `input`.
-Radar board() {
+Radar leaky_board() {
     Radar radar = read_radar(SPECULA_SOURCE_DIR "/scenes/radars/iwrl6432boost.toml");
     radar.rx.resize(2);
     radar.rx[0] = {.dc_offset_lsb = 17.0};
@@ -59,7 +59,7 @@ Complex wave_at(const Leakage& leak, const Radar& radar) {
 }
 
 TEST_CASE("calibration finds the board that an empty recording was made with", "[likeness]") {
-    const Radar truth = board();
+    const Radar truth = leaky_board();
     const Calibration found = calibrate(record_empty(truth, 200), unknowing(truth), nullptr);
     // 200 chirps of 128 samples: the noise's power is known to 1 %, its parts trade against each
     // other, a few per cent each.
@@ -81,7 +81,7 @@ TEST_CASE("calibration finds the board that an empty recording was made with", "
 }
 
 TEST_CASE("a known scene tells gain and phase of each receiver", "[likeness]") {
-    Radar truth = board();
+    Radar truth = leaky_board();
     const FrequencyComb comb = comb_of(truth.chirp);
     Channel channel = silent_channel(2, comb);
     for (int rx = 0; rx < 2; ++rx)
@@ -108,7 +108,7 @@ TEST_CASE("a known scene tells gain and phase of each receiver", "[likeness]") {
 }
 
 TEST_CASE("the start of the decimation filter is found where it shows", "[likeness]") {
-    Radar truth = board();
+    Radar truth = leaky_board();
     truth.chirp.skip_samples = 4;
     truth.chirp.tx_on_s = 1.2e-6;
     truth.receiver.start_up_fraction = 0.12;
@@ -124,7 +124,8 @@ TEST_CASE("the start of the decimation filter is found where it shows", "[likene
 }
 
 TEST_CASE("a calibrated board's file reads as what was found", "[likeness]") {
-    const Calibration found = calibrate(record_empty(board(), 60), unknowing(board()), nullptr);
+    const Calibration found =
+        calibrate(record_empty(leaky_board(), 60), unknowing(leaky_board()), nullptr);
     const MadeUpFolder folder;
     const Radar read =
         read_radar(folder.with("mine.toml", radar_file_text(found.radar, "of a \"test\"")));
@@ -144,23 +145,23 @@ TEST_CASE("a calibrated board's file reads as what was found", "[likeness]") {
 }
 
 TEST_CASE("a recording of another radar, or too short a one, is refused", "[likeness]") {
-    Radar other = board();
+    Radar other = leaky_board();
     other.rx.resize(1);
     other.leakage.clear();
     CHECK(message_of([&] {
-              return calibrate(record_empty(board(), 5), other, nullptr);
+              return calibrate(record_empty(leaky_board(), 5), other, nullptr);
           }).find("the recording has 2 RX and 128 samples, radar iwrl6432boost has 1 and 128") ==
           0);
     CHECK(message_of([&] {
-              return calibrate(record_empty(board(), 2), board(), nullptr);
+              return calibrate(record_empty(leaky_board(), 2), leaky_board(), nullptr);
           }).find("the recording has 2 chirps; record three or more") == 0);
 }
 
 TEST_CASE("codes that no scene explains are refused", "[calibration]") {
     const auto refusal = [](const ChirpSeries& series) {
-        return message_of([&] { return calibrate(series, board(), nullptr); });
+        return message_of([&] { return calibrate(series, leaky_board(), nullptr); });
     };
-    const ChirpSeries sound = record_empty(board(), 5);
+    const ChirpSeries sound = record_empty(leaky_board(), 5);
     ChirpSeries wide = sound, saturated = sound, dead = sound;
     wide.codes[100] = 2048;
     CHECK(refusal(wide).find("code 2048: is beyond the 12 bits") == 0);
@@ -173,7 +174,7 @@ TEST_CASE("codes that no scene explains are refused", "[calibration]") {
 }
 
 TEST_CASE("a board is like its own recording, and unlike one of another", "[likeness]") {
-    const Radar radar = board();
+    const Radar radar = leaky_board();
     const ChirpSeries series = record_empty(radar, 600);  // noise to 3 %
     int unlike = 0;
     for (const LikenessRow& row : compare_with_recording(series, radar, 4).rows) {

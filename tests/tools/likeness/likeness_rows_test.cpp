@@ -19,7 +19,7 @@ Portrait quiet() {
     return p;
 }
 
-Radar board() {
+Radar plain_board() {
     Radar radar;
     radar.rx.resize(1);
     radar.chirp.n_samples = 128;
@@ -29,14 +29,14 @@ Radar board() {
 
 LikenessRow row_called(const std::string& quantity, const Portrait& recorded,
                        const Portrait& simulated) {
-    const auto rows = likeness_rows({recorded}, {simulated}, board());
+    const auto rows = likeness_rows({recorded}, {simulated}, plain_board());
     const auto found = std::ranges::find(rows, quantity, &LikenessRow::quantity);
     REQUIRE(found != rows.end());
     return *found;
 }
 
 TEST_CASE("a receiver is like itself in every row", "[likeness]") {
-    for (const LikenessRow& row : likeness_rows({quiet()}, {quiet()}, board())) {
+    for (const LikenessRow& row : likeness_rows({quiet()}, {quiet()}, plain_board())) {
         INFO(row.quantity);
         CHECK(row.is_alike());
         CHECK(row.reason.empty());
@@ -77,7 +77,7 @@ TEST_CASE("bands end where the chirp does", "[likeness]") {
     small.mean_spectrum.resize(32);
     small.leakage.resize(32);
     small.room_chirp.resize(32);
-    Radar radar = board();
+    Radar radar = plain_board();
     radar.chirp.n_samples = 64;
     const auto rows = likeness_rows({small}, {small}, radar);
     CHECK(std::ranges::count_if(rows, [](const LikenessRow& row) {

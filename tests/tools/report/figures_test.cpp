@@ -1,5 +1,6 @@
 #include "sim/core/error.hpp"
 #include "tests/check.hpp"
+#include "tests/contains.hpp"
 #include "tests/tools/report/made_up_study.hpp"
 #include "tools/report/canvas.hpp"
 #include "tools/report/confidence_figure.hpp"
@@ -11,10 +12,6 @@
 using namespace specula;
 
 namespace {
-
-bool has(const std::string& text, std::string_view part) {
-    return text.find(part) != std::string::npos;
-}
 
 ConditionReport two_classes() {
     ConditionReport report;
@@ -47,43 +44,44 @@ TEST_CASE("the confusion figure shows its numbers, classes and macro-F1", "[repo
     for (const std::string_view text :
          {">90.0\u00a0%<", ">10.0\u00a0%<", ">25.0\u00a0%<", ">75.0\u00a0%<", ">90<", ">25<",
           ">iron<", ">o'hara &lt;b>", "macro-F1 82.5\u00a0%", "80.0 to 85.0\u00a0%", "2 worlds"})
-        CHECK(has(svg, text));
-    CHECK(has(figure.csv, "condition,true_class,predicted_class,n_frames,share_of_true_class\n"));
-    CHECK(has(figure.csv, "bench,o'hara <b>,iron,25,0.25\n"));
+        CHECK(contains(svg, text));
+    CHECK(contains(figure.csv,
+                   "condition,true_class,predicted_class,n_frames,share_of_true_class\n"));
+    CHECK(contains(figure.csv, "bench,o'hara <b>,iron,25,0.25\n"));
 }
 
 TEST_CASE("a class without frames does not divide by zero", "[report]") {
     ConditionReport report = two_classes();
     report.confusion.counts = {0, 0, 25, 75};
     const Figure figure = confusion_figure("confusion", report, {"iron", "wood"});
-    CHECK(has(figure.csv, "bench,iron,iron,0,0\n"));
-    CHECK_FALSE(has(figure.script, "nan"));
+    CHECK(contains(figure.csv, "bench,iron,iron,0,0\n"));
+    CHECK_FALSE(contains(figure.script, "nan"));
 }
 
 TEST_CASE("correct and wrong frames are counted apart, each to 100 %", "[report]") {
     const Figure figure = confidence_figure("confidence", two_classes());
-    CHECK(has(figure.csv, "bench,0.96,1,150,0,0.9090909090909091,0\n"));
-    CHECK(has(figure.csv, "bench,0.56,0.6,0,35,0,1\n"));
+    CHECK(contains(figure.csv, "bench,0.96,1,150,0,0.9090909090909091,0\n"));
+    CHECK(contains(figure.csv, "bench,0.56,0.6,0,35,0,1\n"));
     const std::string svg = render_figure(figure).svg;
-    CHECK(has(svg, "correct: 82.5\u00a0% of frames (165)"));
-    CHECK(has(svg, "wrong: 17.5\u00a0% of frames (35)"));
+    CHECK(contains(svg, "correct: 82.5\u00a0% of frames (165)"));
+    CHECK(contains(svg, "wrong: 17.5\u00a0% of frames (35)"));
 }
 
 TEST_CASE("a condition without wrong frames can be drawn", "[report]") {
     ConditionReport report = two_classes();
     report.confidence.wrong = {};
-    CHECK(
-        has(render_figure(confidence_figure("c", report)).svg, "wrong: 0.0\u00a0% of frames (0)"));
+    CHECK(contains(render_figure(confidence_figure("c", report)).svg,
+                   "wrong: 0.0\u00a0% of frames (0)"));
 }
 
 TEST_CASE("macro-F1 is tabulated by world, and the paper beside it", "[report]") {
     const Figure figure = f1_figure("macro_f1", two_rows());
-    CHECK(has(figure.csv, "a,5 classes,mean,,0.9,0.88,0.92\n"));
-    CHECK(has(figure.csv, "b,merged,world,0,0.2,,\n"));
-    CHECK(has(figure.csv, "a,5 classes,paper,,0.91,,\n"));
+    CHECK(contains(figure.csv, "a,5 classes,mean,,0.9,0.88,0.92\n"));
+    CHECK(contains(figure.csv, "b,merged,world,0,0.2,,\n"));
+    CHECK(contains(figure.csv, "a,5 classes,paper,,0.91,,\n"));
     const std::string svg = render_figure(figure).svg;
     for (const std::string_view text : {">First<", ">Second<", "chance, 5 classes", ">the paper<"})
-        CHECK(has(svg, text));
+        CHECK(contains(svg, text));
 }
 
 TEST_CASE("profiles keep their bin numbers", "[report]") {
@@ -93,8 +91,8 @@ TEST_CASE("profiles keep their bin numbers", "[report]") {
                                          .first_bin = 6,
                                          .quantity = "magnitude",
                                          .marked_bin = 7.2});
-    CHECK(has(figure.csv, "a,iron,7,5,0.5\n"));
-    CHECK(has(render_figure(figure).svg, ">First<"));
+    CHECK(contains(figure.csv, "a,iron,7,5,0.5\n"));
+    CHECK(contains(render_figure(figure).svg, ">First<"));
 }
 
 TEST_CASE("the same figure gives the same SVG and PNG", "[report]") {

@@ -4,6 +4,7 @@
 
 #include "sim/core/error.hpp"
 #include "tests/check.hpp"
+#include "tests/contains.hpp"
 
 using namespace specula;
 
@@ -18,26 +19,22 @@ std::string message_of(const std::string& script, const std::string& program = "
     return "no error";
 }
 
-bool has(const std::string& text, std::string_view part) {
-    return text.find(part) != std::string::npos;
-}
-
 }  // namespace
 
 TEST_CASE("a missing program is named, with what to install", "[report]") {
     const std::string message = message_of("plot x\n", "no-such-gnuplot");
-    CHECK(has(message, "no-such-gnuplot"));
-    CHECK(has(message, "install gnuplot-nox"));
+    CHECK(contains(message, "no-such-gnuplot"));
+    CHECK(contains(message, "install gnuplot-nox"));
 }
 
 TEST_CASE("gnuplot's own message comes with the line of the script", "[report]") {
     const std::string message = message_of("set terminal svg\nplot nonsense(x)\nplot x\n");
-    CHECK(has(message, "line 2"));
-    CHECK(has(message, "exit status 1"));
+    CHECK(contains(message, "line 2"));
+    CHECK(contains(message, "exit status 1"));
 }
 
 TEST_CASE("a script that draws nothing is an error", "[report]") {
-    CHECK(has(message_of("set terminal svg\n"), "drew nothing"));
+    CHECK(contains(message_of("set terminal svg\n"), "drew nothing"));
 }
 
 TEST_CASE("the same script gives the same picture", "[report]") {
@@ -53,6 +50,6 @@ TEST_CASE("a text can neither end its quotes nor run a command", "[report]") {
     const std::string svg = run_gnuplot("set terminal svg noenhanced\nset title " +
                                         gnuplot_quoted(text) + "\nplot [0:1] x\n");
     CHECK_FALSE(std::filesystem::exists(witness));
-    CHECK(has(svg, "`touch"));
-    CHECK(has(svg, "\\n \"q\" exit"));
+    CHECK(contains(svg, "`touch"));
+    CHECK(contains(svg, "\\n \"q\" exit"));
 }

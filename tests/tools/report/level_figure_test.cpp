@@ -1,6 +1,7 @@
 #include "tools/report/level_figure.hpp"
 
 #include "tests/check.hpp"
+#include "tests/contains.hpp"
 #include "tools/report/render_figure.hpp"
 
 namespace specula {
@@ -19,24 +20,20 @@ LevelPanels panels_of(std::size_t n_panels, std::size_t n_curves) {
     return content;
 }
 
-bool has(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 TEST_CASE("a level figure names its panels, curves and axes, and holds its numbers", "[report]") {
     const Figure figure = level_figure("x", panels_of(2, 3));
     const std::string svg = render_figure(figure).svg;
     for (const std::string text : {">A title<", ">a second line<", ">panel 0<", ">panel 1<",
                                    ">curve 2<", ">tilt (degrees)<", ">level (dB)<"})
-        CHECK(has(svg, text));
-    CHECK(has(figure.csv, "panel,curve,tilt (degrees),level (dB)\n"));
-    CHECK(has(figure.csv, "panel 1,curve 2,0,-2\n"));
+        CHECK(contains(svg, text));
+    CHECK(contains(figure.csv, "panel,curve,tilt (degrees),level (dB)\n"));
+    CHECK(contains(figure.csv, "panel 1,curve 2,0,-2\n"));
 }
 
 TEST_CASE("curves of one label stand once in the legend, however many panels", "[report]") {
     const std::string script = level_figure("x", panels_of(4, 2)).script;
     const std::string label = "set label 'curve 1'";
-    REQUIRE(has(script, label));
+    REQUIRE(contains(script, label));
     CHECK(script.find(label) == script.rfind(label));
 }
 
@@ -50,7 +47,7 @@ TEST_CASE("the legend takes another row when labels are long, and the figure gro
 TEST_CASE("nothing far below the highest level stretches the axis", "[report]") {
     LevelPanels content = panels_of(1, 1);
     content.panels[0].curves[0].level = {0.0, -10.0, -300.0};
-    CHECK(has(level_figure("x", content).script, "set yrange [-63.6:3.6]"));
+    CHECK(contains(level_figure("x", content).script, "set yrange [-63.6:3.6]"));
 }
 
 }  // namespace

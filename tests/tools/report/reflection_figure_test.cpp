@@ -2,6 +2,8 @@
 
 #include "materials/library.hpp"
 #include "tests/check.hpp"
+#include "tests/contains.hpp"
+#include "tests/project_library.hpp"
 #include "tools/report/reflection_curves.hpp"
 #include "tools/report/render_figure.hpp"
 
@@ -9,17 +11,8 @@ using namespace specula;
 
 namespace {
 
-const Library& library() {
-    static const Library held(SPECULA_SOURCE_DIR "/materials/library");
-    return held;
-}
-
 ReflectionCurves curves_of(const std::string& name) {
     return reflection_curves(*library().find(name));
-}
-
-bool has(const std::string& text, std::string_view part) {
-    return text.find(part) != std::string::npos;
 }
 
 /// Where a curve is lowest.
@@ -52,7 +45,7 @@ TEST_CASE("a metal is drawn as one face, without a Brewster angle", "[report]") 
     const ReflectionCurves curves = curves_of("iron");
     CHECK(curves.over_frequency.size() == 1);
     CHECK_FALSE(curves.brewster_deg);
-    CHECK(has(curves.second_line, "skin depth"));
+    CHECK(contains(curves.second_line, "skin depth"));
 }
 
 TEST_CASE("a grain is drawn along and across", "[report]") {
@@ -62,9 +55,10 @@ TEST_CASE("a grain is drawn along and across", "[report]") {
 }
 
 TEST_CASE("frequencies outside the band are shaded and called so", "[report]") {
-    CHECK(has(render_figure(reflection_figure("x", curves_of("marble"))).svg, ">extrapolated<"));
+    CHECK(
+        contains(render_figure(reflection_figure("x", curves_of("marble"))).svg, ">extrapolated<"));
     CHECK_FALSE(
-        has(render_figure(reflection_figure("x", curves_of("concrete"))).svg, "extrapolated"));
+        contains(render_figure(reflection_figure("x", curves_of("concrete"))).svg, "extrapolated"));
 }
 
 TEST_CASE("the figure shows its title, its curves and the Brewster angle", "[report]") {
@@ -72,17 +66,17 @@ TEST_CASE("the figure shows its title, its curves and the Brewster angle", "[rep
     const std::string svg = render_figure(figure).svg;
     for (const std::string_view text : {">Plexiglass (PMMA), cast sheet<", ">half-space<",
                                         ">10 mm<", ">TM, half-space<", "Brewster 58.2"})
-        CHECK(has(svg, text));
-    CHECK(has(figure.csv, "frequency,half-space,57,-12.59"));
-    CHECK(has(figure.csv, "angle,\"TE, 5 mm\",0,"));
+        CHECK(contains(svg, text));
+    CHECK(contains(figure.csv, "frequency,half-space,57,-12.59"));
+    CHECK(contains(figure.csv, "angle,\"TE, 5 mm\",0,"));
 }
 
 TEST_CASE("every material of the library can be drawn", "[report]") {
     for (const std::string& name : library().names()) {
         const Figure figure = reflection_figure("x", curves_of(name));
         INFO(name);
-        CHECK_FALSE(has(figure.script, "nan"));
-        CHECK_FALSE(has(figure.script, "inf "));
+        CHECK_FALSE(contains(figure.script, "nan"));
+        CHECK_FALSE(contains(figure.script, "inf "));
     }
     CHECK_FALSE(render_figure(reflection_figure("x", curves_of("air"))).svg.empty());
 }

@@ -1,4 +1,5 @@
 #include "tests/check.hpp"
+#include "tests/contains.hpp"
 #include "tools/report/curve_figure.hpp"
 #include "tools/report/forest_figure.hpp"
 #include "tools/report/heat_figure.hpp"
@@ -7,10 +8,6 @@
 
 namespace specula {
 namespace {
-
-bool has(const std::string& text, std::string_view part) {
-    return text.find(part) != std::string::npos;
-}
 
 TEST_CASE("a forest names its rows and keeps numbers and bands in its table", "[report]") {
     const Figure figure = forest_figure(
@@ -26,10 +23,10 @@ TEST_CASE("a forest names its rows and keeps numbers and bands in its table", "[
     const std::string svg = render_figure(figure).svg;
     for (const std::string_view text : {">A &lt;row><", ">Another<", ">where it must lie<"}) {
         INFO(text);
-        CHECK(has(svg, text));
+        CHECK(contains(svg, text));
     }
-    CHECK(has(figure.csv, "A <row>,value,20,18,22,17,23\n"));
-    CHECK(has(figure.csv, "Another,value,85,80,90,,\n"));
+    CHECK(contains(figure.csv, "A <row>,value,20,18,22,17,23\n"));
+    CHECK(contains(figure.csv, "Another,value,85,80,90,,\n"));
 }
 
 TEST_CASE("a heat map writes every share and leaves out what is missing", "[report]") {
@@ -45,10 +42,10 @@ TEST_CASE("a heat map writes every share and leaves out what is missing", "[repo
     const std::string svg = render_figure(figure).svg;
     for (const std::string_view text : {">25<", ">100<", ">0<", ">75<", ">left<", ">right<"}) {
         INFO(text);
-        CHECK(has(svg, text));
+        CHECK(contains(svg, text));
     }
-    CHECK(has(figure.csv, "left,up,0,0.25\n"));
-    CHECK_FALSE(has(figure.csv, "left,up,5,"));
+    CHECK(contains(figure.csv, "left,up,0,0.25\n"));
+    CHECK_FALSE(contains(figure.csv, "left,up,5,"));
 }
 
 TEST_CASE("curves keep their bands in the table", "[report]") {
@@ -65,8 +62,8 @@ TEST_CASE("curves keep their bands in the table", "[report]") {
                                                              .diagonal = true,
                                                              .star = {{0.0, 68.5}}}}});
     const std::string svg = render_figure(figure).svg;
-    CHECK(has(svg, ">as in the paper<"));
-    CHECK(has(figure.csv, "height,as in the paper,-10,20,10,30\n"));
+    CHECK(contains(svg, ">as in the paper<"));
+    CHECK(contains(figure.csv, "height,as in the paper,-10,20,10,30\n"));
 }
 
 TEST_CASE("a failed check is named on the first page", "[report]") {
@@ -78,25 +75,25 @@ TEST_CASE("a failed check is named on the first page", "[report]") {
     study.results.checks[0].passed = false;
     const auto words = plain_words(study);
     REQUIRE(words.size() == 1);
-    CHECK(has(words[0].text, "Of 2 honesty checks with a band, 1 fail: \u201cShuffled\u201d"));
-    CHECK(has(check_tables(study).front().rows[0][4], "FAILED"));
+    CHECK(contains(words[0].text, "Of 2 honesty checks with a band, 1 fail: \u201cShuffled\u201d"));
+    CHECK(contains(check_tables(study).front().rows[0][4], "FAILED"));
 }
 
 TEST_CASE("the report says whether the calibration reached its target", "[report]") {
     CalibrationOutcome outcome;
     outcome.hash = "0123456789abcdef";
-    CHECK(has(calibration_words(outcome).text, "Nothing was calibrated"));
+    CHECK(contains(calibration_words(outcome).text, "Nothing was calibrated"));
     outcome.asked = true;
     outcome.target_macro_f1 = 0.942;
     outcome.trials = {{0.0, 0.997}};
     outcome.matching = CalibrationTrial{-17.5, 0.945};
     const std::string missed = calibration_words(outcome).text;
-    CHECK(has(missed, "No admissible value meets it"));
-    CHECK(has(missed, "-17.5"));
-    CHECK(has(missed, "0123456789abcdef"));
+    CHECK(contains(missed, "No admissible value meets it"));
+    CHECK(contains(missed, "-17.5"));
+    CHECK(contains(missed, "0123456789abcdef"));
     outcome.reached = true;
     outcome.snr_db = 3.0;
-    CHECK(has(calibration_words(outcome).text, "It is met at +3.0"));
+    CHECK(contains(calibration_words(outcome).text, "It is met at +3.0"));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "tools/report/study_findings.hpp"
 
 #include "tests/check.hpp"
+#include "tests/contains.hpp"
 #include "tests/tools/report/made_up_study.hpp"
 #include "tools/report/number_text.hpp"
 #include "tools/report/paper_agreement.hpp"
@@ -8,10 +9,6 @@
 using namespace specula;
 
 namespace {
-
-bool has(const std::string& text, std::string_view part) {
-    return text.find(part) != std::string::npos;
-}
 
 /// Worlds at mean -+ 2 points; the interval is -+ 1 point.
 StudyCondition& with_f1(StudyCondition& condition, double mean, std::optional<double> paper) {
@@ -42,17 +39,17 @@ TEST_CASE("agreement has three grades, and none without a number", "[report]") {
 TEST_CASE("outside the interval the page says by how much and on which side", "[report]") {
     StudySummary study = four_worlds();
     with_f1(study.conditions[0], 0.90, 0.942);
-    CHECK(has(nominal_finding(study)->lead, "differs from the paper"));
-    CHECK(has(nominal_finding(study)->text, "simulated mean is 4.2\u00a0points lower"));
+    CHECK(contains(nominal_finding(study)->lead, "differs from the paper"));
+    CHECK(contains(nominal_finding(study)->text, "simulated mean is 4.2\u00a0points lower"));
     with_f1(study.conditions[0], 0.96, 0.942);
-    CHECK(has(nominal_finding(study)->text, "simulated mean is 1.8\u00a0points higher"));
+    CHECK(contains(nominal_finding(study)->text, "simulated mean is 1.8\u00a0points higher"));
 }
 
 TEST_CASE("agreement that was arranged is called so", "[report]") {
     StudySummary study = made_up_study();
     study.calibration = Calibration{"nominal", "the noise level"};
-    CHECK(has(nominal_finding(study)->lead, "set to meet the paper"));
-    CHECK(has(nominal_finding(study)->text, "no evidence: the noise level was set"));
+    CHECK(contains(nominal_finding(study)->lead, "set to meet the paper"));
+    CHECK(contains(nominal_finding(study)->text, "no evidence: the noise level was set"));
 }
 
 TEST_CASE("the loss under tilt is split at the re-recorded condition", "[report]") {
@@ -61,10 +58,10 @@ TEST_CASE("the loss under tilt is split at the re-recorded condition", "[report]
     with_f1(study.conditions[1], 0.80, {});
     with_f1(study.conditions[3], 0.70, {});
     const std::string text = tilt_finding(study)->text;
-    CHECK(has(text,
-              "of the 25.0\u00a0points between nominal and this condition, 15.0\u00a0points "
-              "(60.0\u00a0%)"));
-    CHECK(has(text, "10.0\u00a0points are due to the tilt itself"));
+    CHECK(contains(text,
+                   "of the 25.0\u00a0points between nominal and this condition, 15.0\u00a0points "
+                   "(60.0\u00a0%)"));
+    CHECK(contains(text, "10.0\u00a0points are due to the tilt itself"));
 }
 
 TEST_CASE("where tilt costs nothing the page does not say it does", "[report]") {
@@ -72,26 +69,26 @@ TEST_CASE("where tilt costs nothing the page does not say it does", "[report]") 
     with_f1(study.conditions[1], 0.80, {});
     with_f1(study.conditions[3], 0.80, {}).result.macro_f1_per_world = {0.79, 0.79, 0.81, 0.81};
     const std::string text = tilt_finding(study)->text;
-    CHECK(has(text, "show no effect of the tilt itself"));
-    CHECK_FALSE(has(text, "due to the tilt"));
+    CHECK(contains(text, "show no effect of the tilt itself"));
+    CHECK_FALSE(contains(text, "due to the tilt"));
 }
 
 TEST_CASE("the move of the echo is counted in range bins", "[report]") {
     const std::string text = height_finding(made_up_study())->text;
-    CHECK(has(text, "35.0\u00a0cm and 55.0\u00a0cm instead of 45.0\u00a0cm"));
-    CHECK(has(text, "a range bin is 3.75\u00a0cm"));
-    CHECK(has(text, "moves by \u22122.7 and +2.7 bins, from bin 12.0 to bins 9.3 and 14.7"));
-    CHECK(has(text, "are called limestone"));
+    CHECK(contains(text, "35.0\u00a0cm and 55.0\u00a0cm instead of 45.0\u00a0cm"));
+    CHECK(contains(text, "a range bin is 3.75\u00a0cm"));
+    CHECK(contains(text, "moves by \u22122.7 and +2.7 bins, from bin 12.0 to bins 9.3 and 14.7"));
+    CHECK(contains(text, "are called limestone"));
 }
 
 TEST_CASE("confidence under height is reported in the direction it took", "[report]") {
     StudySummary study = made_up_study();
-    CHECK(has(confidence_finding(study)->text, "would not notice this shift"));
+    CHECK(contains(confidence_finding(study)->text, "would not notice this shift"));
     study.conditions[2].result.mean_confidence = {.mean = 0.5, .low = 0.48, .high = 0.52};
     const std::string text = confidence_finding(study)->text;
-    CHECK_FALSE(has(text, "would not notice"));
-    CHECK(
-        has(text, "at other heights of the radar is 50.0\u00a0%, 44.1\u00a0points below nominal"));
+    CHECK_FALSE(contains(text, "would not notice"));
+    CHECK(contains(text,
+                   "at other heights of the radar is 50.0\u00a0%, 44.1\u00a0points below nominal"));
 }
 
 TEST_CASE("a study of one condition in one world still has a page of findings", "[report]") {

@@ -9,20 +9,12 @@
 #include "tests/check.hpp"
 #include "tests/made_up_folder.hpp"
 #include "tests/message_of.hpp"
+#include "tests/project_catalogue.hpp"
+#include "tests/tools/serve/project_names.hpp"
 #include "tools/serve/page_bench.hpp"
 
 namespace specula {
 namespace {
-
-const Catalogue& catalogue() {
-    static const Catalogue opened = Catalogue::open(SPECULA_SOURCE_DIR);
-    return opened;
-}
-
-const KnownNames& known() {
-    static const KnownNames names = KnownNames::of(catalogue());
-    return names;
-}
 
 const Lesson& lesson(int number) {
     static const std::vector<Lesson> lessons = read_lessons(catalogue(), known());

@@ -5,6 +5,8 @@
 #include "sim/simulate.hpp"
 #include "tests/check.hpp"
 #include "tests/made_up_folder.hpp"
+#include "tests/project_catalogue.hpp"
+#include "tests/tools/serve/project_names.hpp"
 #include "tools/serve/chirp_answer.hpp"
 #include "tools/serve/level_curve.hpp"
 #include "tools/serve/rung.hpp"
@@ -12,16 +14,6 @@
 
 namespace specula {
 namespace {
-
-const Catalogue& catalogue() {
-    static const Catalogue opened = Catalogue::open(SPECULA_SOURCE_DIR);
-    return opened;
-}
-
-const KnownNames& known() {
-    static const KnownNames names = KnownNames::of(catalogue());
-    return names;
-}
 
 const Experiment& experiment() {
     static const Experiment read = page_experiment(catalogue());

@@ -1,20 +1,12 @@
 #include "tools/serve/scene_request.hpp"
 
 #include "tests/check.hpp"
+#include "tests/project_catalogue.hpp"
+#include "tests/tools/serve/project_names.hpp"
 #include "tools/serve/requested_scene.hpp"
 
 namespace specula {
 namespace {
-
-const Catalogue& catalogue() {
-    static const Catalogue opened = Catalogue::open(SPECULA_SOURCE_DIR);
-    return opened;
-}
-
-const KnownNames& known() {
-    static const KnownNames names = KnownNames::of(catalogue());
-    return names;
-}
 
 FieldError refusal(const std::string& text) {
     try {

@@ -1,8 +1,8 @@
 #include "tests/check.hpp"
 #include "tests/run_program.hpp"
 
-// A user's mistakes in a scene file, through the program: exit status 2, one line that names the
-// place, the key, the value and a way out, and no file written.
+// A user's scene_mistakes in a scene file, through the program: exit status 2, one line that names
+// the place, the key, the value and a way out, and no file written.
 
 namespace specula {
 namespace {
@@ -15,13 +15,13 @@ std::string line_of(const std::string& text, const std::string& part) {
     return std::to_string(1 + std::count(text.begin(), end, '\n'));
 }
 
-struct Mistake {
+struct SceneMistake {
     std::string from, to;  ///< what became what in the example
     std::string at;        ///< its line is that of the first text like this
     std::string message;   ///< begins with
 };
 
-const std::vector<Mistake> mistakes{
+const std::vector<SceneMistake> scene_mistakes{
     {"height_mm  = 450", "height_mm = -3", "height_mm",
      "geometry.height_mm = -3: is out of range; give a value above 0 mm and below 100000 mm"},
     {"tilt_deg   = 10", "tilt_deg = 95", "tilt_deg",
@@ -63,7 +63,7 @@ const std::vector<Mistake> mistakes{
 
 TEST_CASE("each mistake in a scene is one line that says where, what and what would do",
           "[program][bad scene]") {
-    for (const Mistake& mistake : mistakes) {
+    for (const SceneMistake& mistake : scene_mistakes) {
         const MadeUpFolder folder;
         const std::string text = edited(scene, mistake.from, mistake.to);
         folder.with("scene.toml", text);

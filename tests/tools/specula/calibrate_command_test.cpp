@@ -1,14 +1,11 @@
 #include "sim/dataset/dataset.hpp"
 #include "tests/check.hpp"
+#include "tests/contains.hpp"
 #include "tests/made_up_folder.hpp"
 #include "tests/run_program.hpp"
 
 namespace specula {
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
 
 TEST_CASE("show explains a TI command file and what it means for a sample", "[program][show]") {
     const MadeUpFolder folder;

@@ -2,6 +2,8 @@
 
 #include "sim/core/document.hpp"
 #include "tests/check.hpp"
+#include "tests/contains.hpp"
+#include "tests/made_up_folder.hpp"
 #include "tests/run_program.hpp"
 
 // The program as its user meets it: arguments, help, errors in general. Files with mistakes in
@@ -10,21 +12,12 @@
 namespace specula {
 namespace {
 
-const std::vector<std::string> commands{"study",      "simulate",        "show",    "sweep",
-                                        "validate",   "import",          "export",  "train",
-                                        "evaluate",   "verify-firmware", "latency", "list",
-                                        "completion", "calibrate",       "likeness", "predict",
-                                        "diff",       "augment",         "bench",   "generate",
-                                        "merge",      "serve"};
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
-std::size_t n_entries(const std::filesystem::path& folder) {
-    const std::filesystem::directory_iterator entries(folder);
-    return static_cast<std::size_t>(std::distance(begin(entries), end(entries)));
-}
+const std::vector<std::string> commands{
+    "study",   "simulate", "show",       "sweep",     "validate",
+    "import",  "export",   "train",      "evaluate",  "verify-firmware",
+    "latency", "list",     "completion", "calibrate", "likeness",
+    "predict", "diff",     "augment",    "bench",     "generate",
+    "merge",   "serve"};
 
 /// Runs in an empty folder, in which a wrong command line may leave nothing.
 Ended run(const std::vector<std::string>& arguments) {
@@ -88,7 +81,8 @@ TEST_CASE("wrong arguments are one line that says what would do", "[program]") {
              {{"fly", "--high"}, "\"fly\": no such command; use " + all_commands()},
              {{"list"}, "KIND is required; see specula list --help"},
              {{"list", "bogus"},
-              "KIND: bogus not in {materials,radars,experiments,datasets,sweeps}; see specula list --help"},
+              "KIND: bogus not in {materials,radars,experiments,datasets,sweeps}; see specula list "
+              "--help"},
              {{"show"}, "NAME is required; see specula show --help"},
              {{"simulate"}, "SCENE is required; see specula simulate --help"},
              {{"simulate", "a", "b"},

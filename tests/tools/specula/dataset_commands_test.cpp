@@ -4,6 +4,7 @@
 #include "sim/dataset/dataset_reader.hpp"
 #include "sim/dataset/hdf5_file.hpp"
 #include "tests/check.hpp"
+#include "tests/contains.hpp"
 #include "tests/run_program.hpp"
 #include "tests/sim/dataset/made_up_dataset.hpp"
 
@@ -11,10 +12,6 @@
 
 namespace specula {
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
 
 /// A dataset as a board gives it: 12 frames of an echo in noise, in four sessions of two classes.
 Dataset board(std::size_t n_frames = 12) {

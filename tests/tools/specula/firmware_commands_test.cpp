@@ -6,6 +6,7 @@
 #include "sim/dataset/dataset.hpp"
 #include "tests/check.hpp"
 #include "tests/classifier/whole_model.hpp"
+#include "tests/contains.hpp"
 #include "tests/run_program.hpp"
 
 // The firmware's commands as their user meets them.
@@ -15,10 +16,6 @@ namespace {
 
 const std::filesystem::path runner =
     std::filesystem::path(SPECULA_BINARY).parent_path() / "fw_runner";
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
 
 /// A model of whole_model's shape that was trained on what the catalogue's IWRL6432BOOST sees.
 Model model_of_board() {

@@ -2,14 +2,11 @@
 
 #include "sim/dataset/dataset.hpp"
 #include "tests/check.hpp"
+#include "tests/contains.hpp"
 #include "tests/run_program.hpp"
 
 namespace specula {
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
 
 TEST_CASE("generate says what it will take, writes, and finds its work done the next time",
           "[program]") {

@@ -6,16 +6,13 @@
 #include "sim/core/random.hpp"
 #include "sim/dataset/dataset.hpp"
 #include "tests/check.hpp"
+#include "tests/contains.hpp"
 #include "tests/tools/specula/learning_folder.hpp"
 
 // train, evaluate and predict as their user meets them.
 
 namespace specula {
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
 
 TEST_CASE("a model is trained with every option, judged on held-out sessions, and says so",
           "[program][learning]") {

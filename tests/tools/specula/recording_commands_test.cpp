@@ -2,16 +2,14 @@
 
 #include "sim/dataset/dataset.hpp"
 #include "tests/check.hpp"
+#include "tests/contains.hpp"
+#include "tests/made_up_folder.hpp"
 #include "tests/run_program.hpp"
 
 // import, export, train and evaluate as their user meets them.
 
 namespace specula {
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
 
 /// Three classes of four boards, two sides, five frames: the class is in x, the board in y.
 std::string table() {
@@ -25,11 +23,6 @@ std::string table() {
                             std::to_string(c + 0.01 * i + 0.02 * view) + "," +
                             std::to_string(4 * c + board + 0.01 * i) + "\n";
     return text;
-}
-
-std::size_t n_entries(const std::filesystem::path& folder) {
-    const std::filesystem::directory_iterator entries(folder);
-    return static_cast<std::size_t>(std::distance(begin(entries), end(entries)));
 }
 
 TEST_CASE("a table goes from import to a judged model", "[program][recording]") {

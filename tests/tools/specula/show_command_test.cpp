@@ -1,13 +1,10 @@
 #include "tests/check.hpp"
+#include "tests/contains.hpp"
 #include "tests/run_program.hpp"
 #include "tests/tools/specula/small_study.hpp"
 
 namespace specula {
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
 
 Ended show(const std::string& what) {
     const TemporaryFolder folder;

@@ -1,14 +1,11 @@
 #include "tests/check.hpp"
+#include "tests/contains.hpp"
 #include "tests/run_program.hpp"
 
 namespace specula {
 namespace {
 
 const std::string plate = SPECULA_SOURCE_DIR "/scenes/examples/metal_plate.toml";
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
 
 TEST_CASE("a simulated plate stands in the range bin of its height", "[program][simulate]") {
     const TemporaryFolder folder;

@@ -40,12 +40,12 @@ TEST_CASE("a study that cannot write names the path and exits 1", "[program][stu
     CHECK(content_of(folder / "file") == "kept");
 }
 
-struct Mistake {
+struct StudyMistake {
     std::string from, to;
     std::string message;  ///< is in what is said
 };
 
-const std::vector<Mistake> mistakes{
+const std::vector<StudyMistake> study_mistakes{
     {"worlds = 2", "worlds = 0",
      "x.toml:4: worlds = 0: is out of range; give a value at least 1 and at most 1000"},
     {"worlds = 2", "wolrds = 2",
@@ -90,7 +90,7 @@ const std::vector<Mistake> mistakes{
 
 TEST_CASE("a study of a file with a mistake says so in one line and writes nothing",
           "[program][study]") {
-    for (const Mistake& mistake : mistakes) {
+    for (const StudyMistake& mistake : study_mistakes) {
         const MadeUpFolder folder;
         folder.with("x.toml", edited(small_study, mistake.from, mistake.to));
         const Ended ended = specula_in(folder.path(), {"study", "x.toml", "--quick"});

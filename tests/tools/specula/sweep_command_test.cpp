@@ -8,13 +8,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string plate = SPECULA_SOURCE_DIR "/scenes/examples/metal_plate.toml";
+const std::string swept_plate = SPECULA_SOURCE_DIR "/scenes/examples/metal_plate.toml";
 
 TEST_CASE("sweep writes a table twice and a figure per axis, and show reads it",
           "[program][sweep]") {
     const TemporaryFolder folder;
-    const Ended swept = specula_in(
-        folder.path(), {"sweep", plate, "--tilt", "0:4:2", "--tilted", "sample", "--size", "50"});
+    const Ended swept = specula_in(folder.path(), {"sweep", swept_plate, "--tilt", "0:4:2",
+                                                   "--tilted", "sample", "--size", "50"});
     REQUIRE(swept.status == 0);
     CHECK(swept.output.find("3 rows. Wrote table.csv, table.h5, level_over_tilt.svg") !=
           std::string::npos);
@@ -43,9 +43,9 @@ TEST_CASE("a sweep that is refused writes nothing and says why in one line", "[p
         CHECK_FALSE(fs::exists(folder / "out"));
         return ended.errors;
     };
-    CHECK(errors({plate, "--tilt", "10:0:1"}).find("--tilt = 10:0:1: runs backwards") !=
+    CHECK(errors({swept_plate, "--tilt", "10:0:1"}).find("--tilt = 10:0:1: runs backwards") !=
           std::string::npos);
-    CHECK(errors({plate, "--height", "20"}).find("--height = 20: 20 mm is bin") !=
+    CHECK(errors({swept_plate, "--height", "20"}).find("--height = 20: 20 mm is bin") !=
           std::string::npos);
     CHECK(errors({"tilt_and_sise"}).find("did you mean tilt_and_size?") != std::string::npos);
     CHECK(errors({"no_such.toml"}).find("no_such.toml") != std::string::npos);
@@ -55,8 +55,8 @@ TEST_CASE("a sweep that is refused writes nothing and says why in one line", "[p
 TEST_CASE("a folder that cannot be made is told before the sweep begins", "[program][sweep]") {
     const MadeUpFolder folder;
     folder.with("file", "");
-    const Ended ended =
-        specula_in(folder.path(), {"sweep", plate, "--tilt", "0:80:0.1", "--out", "file/below"});
+    const Ended ended = specula_in(
+        folder.path(), {"sweep", swept_plate, "--tilt", "0:80:0.1", "--out", "file/below"});
     CHECK(ended.status == 1);
     CHECK(ended.errors.find("file/below: cannot create") != std::string::npos);
 }

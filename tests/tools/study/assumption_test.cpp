@@ -9,14 +9,14 @@
 namespace specula {
 namespace {
 
-Experiment toy() {
+Experiment toy_of_protocol() {
     static const Catalogue catalogue = Catalogue::open(SPECULA_SOURCE_DIR);
     const MadeUpFolder folder;
     return read_experiment(folder.with("toy.toml", toy_protocol()), catalogue);
 }
 
 TEST_CASE("an assumption that says nothing changes nothing", "[study]") {
-    const Experiment before = toy(), after = under({}, before);
+    const Experiment before = toy_of_protocol(), after = under({}, before);
     CHECK(after.radar.receiver.noise_figure_db == before.radar.receiver.noise_figure_db);
     CHECK(after.radar.chirp.slope_hz_s == before.radar.chirp.slope_hz_s);
     CHECK(after.population.session.height_m.spread() ==
@@ -27,7 +27,7 @@ TEST_CASE("an assumption that says nothing changes nothing", "[study]") {
 }
 
 TEST_CASE("an assumption changes what it names", "[study]") {
-    const Experiment before = toy();
+    const Experiment before = toy_of_protocol();
     Assumption assumption;
     assumption.snr_db = 7.0;
     assumption.gain_db = 2.0;

@@ -6,6 +6,7 @@
 #include "sim/core/error.hpp"
 #include "tests/check.hpp"
 #include "tests/message_of.hpp"
+#include "tests/project_catalogue.hpp"
 #include "tests/tools/study/toy_protocol.hpp"
 #include "tools/study/study.hpp"
 
@@ -13,11 +14,6 @@ namespace specula {
 namespace {
 
 namespace fs = std::filesystem;
-
-const Catalogue& catalogue() {
-    static const Catalogue held = Catalogue::open(SPECULA_SOURCE_DIR);
-    return held;
-}
 
 // What the types promise: nobody makes a frozen calibration but by freezing one, and nobody records
 // another geometry without it.

@@ -1,17 +1,14 @@
 #include "tools/study/experiment.hpp"
 
 #include "tests/check.hpp"
+#include "tests/contains.hpp"
 #include "tests/made_up_folder.hpp"
 #include "tests/message_of.hpp"
+#include "tests/project_catalogue.hpp"
 #include "tests/tools/study/toy_experiment.hpp"
 
 namespace specula {
 namespace {
-
-const Catalogue& catalogue() {
-    static const Catalogue held = Catalogue::open(SPECULA_SOURCE_DIR);
-    return held;
-}
 
 Experiment read(const std::string& text) {
     const MadeUpFolder folder;
@@ -21,10 +18,6 @@ Experiment read(const std::string& text) {
 /// What is said of the toy experiment with one place in it changed.
 std::string refusal(const std::string& from, const std::string& to) {
     return message_of([&] { return read(edited(toy_experiment, from, to)); });
-}
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
 }
 
 TEST_CASE("an experiment is read whole, section by section", "[study]") {

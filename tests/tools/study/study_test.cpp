@@ -9,6 +9,7 @@
 #include "sim/dataset/fingerprint.hpp"
 #include "tests/check.hpp"
 #include "tests/made_up_folder.hpp"
+#include "tests/project_catalogue.hpp"
 #include "tests/tools/study/toy_experiment.hpp"
 
 namespace specula {
@@ -16,11 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
-
-const Catalogue& catalogue() {
-    static const Catalogue held = Catalogue::open(SPECULA_SOURCE_DIR);
-    return held;
-}
 
 /// The toy study, run once per number of threads and kept.
 class ToyStudy : public MadeUpFolder {

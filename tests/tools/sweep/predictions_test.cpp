@@ -10,22 +10,22 @@
 namespace specula {
 namespace {
 
-SweepPlan plan_of(const std::string& sweep, const SweepAxes& axes) {
+SweepPlan plan_named(const std::string& sweep, const SweepAxes& axes) {
     static const Catalogue catalogue = Catalogue::open(SPECULA_SOURCE_DIR);
     return read_sweep_plan(catalogue.sweep_file(sweep), axes, catalogue);
 }
 
-Sweep swept(const SweepPlan& plan) {
+Sweep predicted(const SweepPlan& plan) {
     static const Library materials(SPECULA_SOURCE_DIR "/materials/library");
     std::atomic<std::size_t> done{0};
     return run_sweep(plan, materials, 2, done);
 }
 
 TEST_CASE("the loss by a tilt follows an independent calculation for every size", "[sweep]") {
-    const Sweep sweep = swept(plan_of("tilt_and_size", {.tilt = "5,10,15",
-                                                        .tilted = "sample",
-                                                        .tilt_plane = "azimuth",
-                                                        .size = "100,150,200,300"}));
+    const Sweep sweep = predicted(plan_named("tilt_and_size", {.tilt = "5,10,15",
+                                                               .tilted = "sample",
+                                                               .tilt_plane = "azimuth",
+                                                               .size = "100,150,200,300"}));
     const double predicted_db[4][3] = {
         {-1.8, -15.9, -20.9}, {-0.5, -8.1, -19.3}, {-0.6, -0.2, -12.9}, {0.3, 0.4, 0.7}};
     for (std::size_t size = 0; size < 4; ++size)
@@ -40,14 +40,14 @@ TEST_CASE("the loss by a tilt follows an independent calculation for every size"
 
 TEST_CASE("a tilt of the sensor costs what the antenna patterns say", "[sweep]") {
     const Sweep sweep =
-        swept(plan_of("tilt_and_size", {.tilt = "10", .tilted = "sensor", .size = "300"}));
+        predicted(plan_named("tilt_and_size", {.tilt = "10", .tilted = "sensor", .size = "300"}));
     // Both ways: cos^1.99 in azimuth, cos^6.93 in elevation, at the one angle of the foot.
     CHECK(sweep.row({.tilting = 0}).over_untilted_db == Approx(-0.27).margin(0.02));
     CHECK(sweep.row({.tilting = 1}).over_untilted_db == Approx(-0.92).margin(0.04));
 }
 
 TEST_CASE("levels over height follow an independent calculation for every material", "[sweep]") {
-    const Sweep sweep = swept(plan_of("level_over_height", {.height = "350,450,550"}));
+    const Sweep sweep = predicted(plan_named("level_over_height", {.height = "350,450,550"}));
     struct Prediction {
         std::size_t specimen;
         double at_350_db, at_550_db, over_mirror_db;
@@ -71,7 +71,8 @@ TEST_CASE("levels over height follow an independent calculation for every materi
 }
 
 TEST_CASE("roughness takes the tilt out of the level", "[sweep]") {
-    const Sweep sweep = swept(plan_of("tilt_and_roughness", {.tilt = "0,10", .size = "150"}));
+    const Sweep sweep =
+        predicted(plan_named("tilt_and_roughness", {.tilt = "0,10", .size = "150"}));
     const auto loss_db = [&](std::size_t specimen) {
         return sweep.row({.specimen = specimen, .tilt = 1}).over_untilted_db;
     };

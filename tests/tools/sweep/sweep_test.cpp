@@ -8,6 +8,7 @@
 #include "tests/check.hpp"
 #include "tests/made_up_folder.hpp"
 #include "tests/message_of.hpp"
+#include "tests/project_catalogue.hpp"
 #include "tools/report/render_figure.hpp"
 #include "tools/sweep/sweep_figures.hpp"
 #include "tools/sweep/sweep_table.hpp"
@@ -16,11 +17,6 @@ namespace specula {
 namespace {
 
 using namespace literals;
-
-const Catalogue& catalogue() {
-    static const Catalogue known = Catalogue::open(SPECULA_SOURCE_DIR);
-    return known;
-}
 
 SweepPlan plan_of(const SweepAxes& axes, const std::string& scene = "metal_plate") {
     return read_sweep_plan(SPECULA_SOURCE_DIR "/scenes/examples/" + scene + ".toml", axes,

@@ -40,7 +40,7 @@ struct PlaneWaves {
 
 /// Physical optics of a conductor under one isotropic antenna: -j/(4 pi) cos e^{-2jkr} / r^2.
 template <typename HeightAt>
-C echo(HeightAt height_at) {
+C echo_of_face(HeightAt height_at) {
     C sum = 0.0;
     const int n = static_cast<int>(side_m / step_m);
     for (int i = 0; i < n; ++i) {
@@ -60,9 +60,9 @@ Json other_plate() {
     std::vector<C> echoes;
     for (int i = 0; i < n_surfaces; ++i) {
         const PlaneWaves waves(random);
-        echoes.push_back(echo([&](double x, double y) { return waves.at(x, y); }));
+        echoes.push_back(echo_of_face([&](double x, double y) { return waves.at(x, y); }));
     }
-    const C smooth = echo([](double, double) { return 0.0; });
+    const C smooth = echo_of_face([](double, double) { return 0.0; });
     C mean = 0.0;
     for (const C& h : echoes) mean += h / double(n_surfaces);
     double power = 0.0, level = 0.0, spread = 0.0;
