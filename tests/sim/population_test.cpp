@@ -120,7 +120,13 @@ TEST_CASE("classes of one name, of no material or too few are refused by line", 
                    "p.toml:15: class.thickness_mm = 0"));
     CHECK(contains(refusal(replaced(two_classes, "bow_mm", "bow_m") + laws), "class.bow_m"));
     CHECK(contains(refusal(two_classes + replaced(laws, "height_mm", "hight_mm")), "height"));
-    CHECK(contains(refusal(two_classes), "session"));
+}
+
+TEST_CASE("placements and frames without laws are all alike", "[sim]") {
+    const Population population = read(two_classes);
+    CHECK(population.session.height_m.spread() == 0.0);
+    CHECK(population.session.gain_db.median() == 0.0);
+    CHECK(population.frame.displacement_m.spread() == 0.0);
 }
 
 }  // namespace
