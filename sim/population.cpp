@@ -106,8 +106,9 @@ Population read_population(Section& experiment, const Catalogue& catalogue) {
     if (population.classes.size() < 2 || population.classes.size() > most_classes)
         experiment.fail("class", format("{} classes", population.classes.size()),
                         format("describe 2 to {} of them, each as [[class]]", most_classes));
-    population.session = read_session(experiment.section("session"));
-    population.frame = read_frame(experiment.section("frame"));
+    if (auto section = experiment.find_section("session"))
+        population.session = read_session(*section);
+    if (auto section = experiment.find_section("frame")) population.frame = read_frame(*section);
     if (auto section = experiment.find_section("world_clutter"))
         population.world_clutter = read_clutter(*section);
     if (auto section = experiment.find_section("session_clutter"))

@@ -68,7 +68,8 @@ struct Population {
 /// Reads [frame], or another section with its keys.
 FrameLaw read_frame(Section section);
 
-/// Reads [sample], [[class]], [session], [frame], [world_clutter] and [session_clutter].
+/// Reads [sample], [[class]], and of [session], [frame], [world_clutter] and [session_clutter] those
+/// that are there: nothing varies by the others.
 Population read_population(Section& experiment, const Catalogue& catalogue);
 
 }  // namespace specula

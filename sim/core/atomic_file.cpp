@@ -1,18 +1,24 @@
 #include "sim/core/atomic_file.hpp"
 
 #include <fcntl.h>
+#include <signal.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <string>
+#include <vector>
 
 #include "sim/core/error.hpp"
 
 namespace specula {
 
 namespace {
+
+constexpr const char* draft_mark = ".draft-";  ///< before the number of the process
 
 [[noreturn]] void fail(const std::filesystem::path& path, const char* what, int error) {
     throw SystemError(path.string() + ": " + what + ": " + std::strerror(error));
@@ -33,12 +39,13 @@ class Draft {
         static std::atomic<unsigned> n_drafts{0};
         do {  // a name may be taken: left by a process of the same id that was killed
             path_ = file;
-            path_ += ".draft-" + std::to_string(::getpid()) + "-" + std::to_string(n_drafts++);
+            path_ += draft_mark + std::to_string(::getpid()) + "-" + std::to_string(n_drafts++);
             descriptor_ = uninterrupted([&] {
                 return ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
             });
         } while (descriptor_ == -1 && errno == EEXIST);
         if (descriptor_ == -1) fail(file, "cannot create", errno);
+        ::flock(descriptor_, LOCK_EX | LOCK_NB);  // what no lock is on may be cleared away
     }
     Draft(const Draft&) = delete;
     Draft& operator=(const Draft&) = delete;
@@ -92,22 +99,51 @@ std::filesystem::path folder_of(const std::filesystem::path& file) {
     return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
 }
 
-/// Where the content of `name` is to lie: a link leads on to what it names.
-std::filesystem::path place_of(const std::filesystem::path& name) {
-    std::error_code error;
-    const auto status = std::filesystem::status(name, error);
-    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
-        throw InputError(name.string() + ": is there, and is no file; give another name");
-    if (!std::filesystem::is_symlink(std::filesystem::symlink_status(name, error))) return name;
-    const auto place = std::filesystem::weakly_canonical(name, error);
-    if (error) fail(name, "cannot follow", error.value());
-    return place;
+/// Whether a draft is of no living process of this machine, and of none of another that shares the
+/// folder: whoever writes one holds a lock on it.
+bool is_abandoned(const std::filesystem::path& draft, int process) {
+    if (process <= 0 || ::kill(process, 0) == 0 || errno != ESRCH) return false;
+    const int descriptor = ::open(draft.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor == -1) return false;
+    const bool is_free = ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
+    ::close(descriptor);
+    return is_free;
 }
 
 }  // namespace
 
+std::filesystem::path place_of_file(const std::filesystem::path& name) {
+    constexpr int most_links = 40;  // as many as Linux follows
+    std::error_code error;
+    const auto status = std::filesystem::status(name, error);
+    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+        throw InputError(name.string() + ": is there, and is no file; give another name");
+    std::filesystem::path place = name;
+    for (int i = 0; std::filesystem::is_symlink(std::filesystem::symlink_status(place, error)); ++i) {
+        if (i == most_links) fail(name, "cannot follow", ELOOP);
+        const auto target = std::filesystem::read_symlink(place, error);
+        if (error) fail(name, "cannot follow", error.value());
+        place = target.is_absolute() ? target : folder_of(place) / target;
+    }
+    return place;
+}
+
+void remove_abandoned_drafts(const std::filesystem::path& file) {
+    const std::filesystem::path place = place_of_file(file);
+    const std::string mark = place.filename().string() + draft_mark;
+    std::error_code ignored;
+    std::vector<std::filesystem::path> drafts;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_of(place), ignored)) {
+        const std::string name = entry.path().filename().string();
+        if (name.rfind(mark, 0) == 0 &&
+            is_abandoned(entry.path(), std::atoi(name.c_str() + mark.size())))
+            drafts.push_back(entry.path());
+    }
+    for (const auto& draft : drafts) std::filesystem::remove(draft, ignored);
+}
+
 void write_file_atomically(const std::filesystem::path& file, std::string_view content) {
-    const std::filesystem::path place = place_of(file);
+    const std::filesystem::path place = place_of_file(file);
     std::error_code error;
     std::filesystem::create_directories(folder_of(place), error);
     if (error) fail(folder_of(place), "cannot create", error.value());
@@ -119,7 +155,7 @@ void write_file_atomically(const std::filesystem::path& file, std::string_view c
 }
 
 void publish_file(const std::filesystem::path& draft, const std::filesystem::path& file) {
-    const std::filesystem::path place = place_of(file);
+    const std::filesystem::path place = place_of_file(file);
     const int descriptor =
         uninterrupted([&] { return ::open(draft.c_str(), O_RDONLY | O_CLOEXEC); });
     if (descriptor == -1) fail(draft, "cannot open", errno);

@@ -7,6 +7,7 @@
 #include "sim/core/error.hpp"
 #include "sim/core/format.hpp"
 #include "sim/dataset/dataset_layout.hpp"
+#include "sim/dataset/truth_range.hpp"
 
 namespace specula {
 
@@ -40,13 +41,20 @@ void DatasetReader::fail(const std::string& problem) const {
     throw InputError(file_.string() + ": " + problem + "; the file is damaged");
 }
 
+double DatasetReader::bin_m(const std::string& object, const std::string& name) const {
+    const double value = in_.number(object, name);
+    if (const std::string problem = range_problem(possible_bin_m, value); !problem.empty())
+        fail(format("{}@{} = {}: {}", object, name, value, problem));
+    return value;
+}
+
 void DatasetReader::read_origin() {
     Origin& origin = form_.origin;
     origin.version = in_.text("/", "software_version");
     origin.condition = in_.text("/", "condition");
     origin.experiment = in_.text("/", "experiment_toml");
     origin.radar = in_.text("/", "radar");
-    origin.bin_m = in_.number("/", "range_bin_m");
+    origin.bin_m = bin_m("/", "range_bin_m");
     const std::string seed = in_.text("/", "seed");
     const auto [end, error] = std::from_chars(seed.data(), seed.data() + seed.size(), origin.seed);
     if (error != std::errc{} || end != seed.data() + seed.size()) fail("/@seed: is not a number");
@@ -87,7 +95,7 @@ void DatasetReader::read_forms() {
         form_.n_rx = static_cast<int>(shape[1]);
         form_.n_profile_bins = static_cast<int>(shape[2]);
         form_.profile_window = in_.text("/profile", "window");
-        form_.profile_bin_m = in_.number("/profile", "bin_m");
+        form_.profile_bin_m = bin_m("/profile", "bin_m");
         if (!tables_.adc) n_frames_ = shape[0];
     }
     if (tables_.features) {
@@ -123,8 +131,10 @@ std::vector<T> DatasetReader::finite_rows(const std::string& table, std::size_t 
     if (shape.size[0] != n_frames_ || shape.values_per_row() != per_frame)
         fail(format("{}: is not one row of {} numbers per frame", table, per_frame));
     std::vector<T> values = rows<T>(table, range);
-    if (!std::ranges::all_of(values, [](T value) { return std::isfinite(value); }))
-        fail(table + ": holds a value that is not finite");
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (!std::isfinite(values[i]))
+            fail(format("{}: row {} = {}: is not finite", table, range.first + i / per_frame,
+                        values[i]));
     return values;
 }
 
@@ -141,10 +151,20 @@ std::vector<Truth> DatasetReader::truth(const FrameRange& range) const {
     for (std::size_t i = 0; i < truth_columns.size(); ++i)
         if (!tables_.unknown_truth[i])
             fill(std::string("/truth/") + truth_columns[i].name, truth_columns[i].member);
-    for (const Truth& frame : frames)
-        if (frame.label >= form_.class_names.size())
-            fail(format("/label: {} beside {} class names", frame.label, form_.class_names.size()));
+    for (std::size_t i = 0; i < frames.size(); ++i) check_truth(frames[i], range.first + i);
     return frames;
+}
+
+void DatasetReader::check_truth(const Truth& frame, std::size_t row) const {
+    if (frame.label >= form_.class_names.size())
+        fail(format("/label: row {} = {}: is none of the {} classes", row, frame.label,
+                    form_.class_names.size()));
+    for (std::size_t i = 0; i < truth_columns.size(); ++i) {
+        if (tables_.unknown_truth[i]) continue;
+        const double value = frame.*truth_columns[i].member;
+        if (const std::string problem = truth_problem(i, value); !problem.empty())
+            fail(format("/truth/{}: row {} = {}: {}", truth_columns[i].name, row, value, problem));
+    }
 }
 
 Dataset DatasetReader::read(const FrameRange& range) const {

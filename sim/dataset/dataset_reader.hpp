@@ -37,6 +37,8 @@ class DatasetReader {
     std::vector<T> finite_rows(const std::string& table, std::size_t per_frame,
                                const FrameRange& range) const;
     std::vector<Truth> truth(const FrameRange& range) const;
+    double bin_m(const std::string& object, const std::string& name) const;
+    void check_truth(const Truth& frame, std::size_t row) const;
     void check_hashes(const Dataset& frames, const FrameRange& range) const;
     [[noreturn]] void fail(const std::string& problem) const;
 

@@ -50,7 +50,8 @@ void keep_compact(hid_t creation) {
 
 Hdf5File Hdf5File::create(const std::filesystem::path& file) {
     tame_hdf5();
-    const std::filesystem::path draft = file.string() + format(".draft-{}", ::getpid());
+    const std::filesystem::path draft =
+        place_of_file(file).string() + format(".draft-{}", ::getpid());
     // Nothing that needs a superblock extension, such as a file space strategy: HDF5 stores the
     // time in that, whatever it is told.
     const Hdf5Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
@@ -70,7 +71,9 @@ Hdf5File Hdf5File::open(const std::filesystem::path& file) {
     tame_hdf5();
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(file, ignored))
-        throw InputError(file.string() + ": no such file; check the path");
+        throw InputError(file.string() + (std::filesystem::exists(file, ignored)
+                                              ? ": is no regular file; name a dataset (.h5)"
+                                              : ": no such file; check the path"));
     check_hdf5_superblock(file);
     const hid_t id = H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
     if (id < 0) hdf5_read_failed(file, "file", "cannot be opened as HDF5: " + last_hdf5_reason());

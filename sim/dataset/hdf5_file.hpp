@@ -54,6 +54,8 @@ class Hdf5File {
     /// Paths of all tables, in the order of their names; what soft or external links lead to is
     /// not named.
     std::vector<std::string> tables() const;
+    /// Whether a table is stored as this program stores tables; reading another one is refused.
+    bool is_house_table(const std::string& table) const;
     /// "int16", "int32", "uint8", "uint64", "float32" or "float64"; empty: another type.
     std::string number_type(const std::string& table) const;
     /// Names of an object's attributes, in order.

@@ -59,6 +59,12 @@ void check_hdf5_superblock(const std::filesystem::path& file) {
             file.string()));
 }
 
+bool is_house_hdf5_table(hid_t file, const std::string& name) {
+    const Hdf5Handle table(is_hard(file, name) ? H5Dopen2(file, name.c_str(), H5P_DEFAULT) : -1,
+                           H5Dclose);
+    return table.valid() && has_house_layout(table);
+}
+
 hid_t open_hdf5_table(hid_t file, const std::filesystem::path& path, const std::string& name) {
     const hid_t table = is_hard(file, name) ? H5Dopen2(file, name.c_str(), H5P_DEFAULT) : -1;
     if (table < 0) hdf5_read_failed(path, name, "is missing");

@@ -17,5 +17,7 @@ void check_hdf5_superblock(const std::filesystem::path& file);
 /// A table that lies elsewhere could read any file of the machine. The caller closes it. Throws
 /// InputError.
 hid_t open_hdf5_table(hid_t file, const std::filesystem::path& path, const std::string& name);
+/// Whether there is a table that it would open.
+bool is_house_hdf5_table(hid_t file, const std::string& name);
 
 }  // namespace specula

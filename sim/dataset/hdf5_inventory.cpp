@@ -59,6 +59,10 @@ std::vector<std::string> Hdf5File::tables() const {
     return names.all;
 }
 
+bool Hdf5File::is_house_table(const std::string& table) const {
+    return is_house_hdf5_table(handle_, table);
+}
+
 std::string Hdf5File::number_type(const std::string& table) const {
     const Hdf5Handle id(open_hdf5_table(handle_, file_, table), H5Dclose);
     const Hdf5Handle type(H5Dget_type(id), H5Tclose);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 #include "sim/core/error.hpp"
@@ -18,10 +19,17 @@ namespace specula {
 
 namespace {
 
+/// SPECULA_EMBREE adds to it, e.g. "isa=sse2": for comparing what processors of other generations
+/// make of a scene (tests/tools/generate/other_processor_test.sh).
+std::string device_configuration() {
+    const char* more = std::getenv("SPECULA_EMBREE");
+    return std::string("threads=1") + (more ? "," + std::string(more) : "");
+}
+
 /// One device for the whole program: a second one would start threads of its own.
 RTCDevice device() {
     static const RTCDevice shared = [] {
-        const RTCDevice made = rtcNewDevice("threads=1");
+        const RTCDevice made = rtcNewDevice(device_configuration().c_str());
         if (!made) throw SystemError("Embree could not start on this machine");
         return made;
     }();

@@ -1,7 +1,11 @@
 #include "sim/core/atomic_file.hpp"
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <fstream>
@@ -156,6 +160,47 @@ TEST_CASE("a file that cannot be published stays a draft, and the error names th
           (folder / "none" / "x").string() + ": cannot replace: No such file or directory");
     CHECK(content_of(folder / "draft") == "new");
     CHECK(n_entries(folder.path()) == 1);
+}
+
+/// The number of a process that has ended.
+int ended_process() {
+    const pid_t child = ::fork();
+    if (child == 0) ::_exit(0);
+    ::waitpid(child, nullptr, 0);
+    return child;
+}
+
+TEST_CASE("drafts of ended processes go, those of living ones and other files stay",
+          "[atomic file]") {
+    const TemporaryFolder folder;
+    const std::string dead = std::to_string(ended_process());
+    const std::string own = std::to_string(::getpid());
+    for (const std::string& name : {"x.h5.draft-" + dead, "x.h5.draft-" + dead + "-3",
+                                   "x.h5.draft-" + own, "y.h5.draft-" + dead,
+                                   std::string("x.h5.draft-"), std::string("x.h5")})
+        std::ofstream(folder / name) << "half";
+    const int held = ::open((folder / ("x.h5.draft-" + dead + "-3")).c_str(), O_RDONLY);
+    REQUIRE(::flock(held, LOCK_EX | LOCK_NB) == 0);  // as another machine's process would
+    remove_abandoned_drafts(folder / "x.h5");
+    CHECK_FALSE(std::filesystem::exists(folder / ("x.h5.draft-" + dead)));
+    CHECK(n_entries(folder.path()) == 5);
+    ::close(held);
+    remove_abandoned_drafts(folder / "x.h5");
+    CHECK(n_entries(folder.path()) == 4);
+}
+
+TEST_CASE("a link to what is not there yet is followed, not replaced", "[atomic file]") {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "far");
+    std::filesystem::create_symlink("far/target", folder / "second");
+    std::filesystem::create_symlink(folder / "second", folder / "link");
+    write_file_atomically(folder / "link", "text");
+    CHECK(std::filesystem::is_symlink(folder / "link"));
+    CHECK(std::filesystem::is_symlink(folder / "second"));
+    CHECK(content_of(folder / "far" / "target") == "text");
+    std::filesystem::create_symlink("round", folder / "round");
+    CHECK(failure([&] { write_file_atomically(folder / "round", "text"); }).find("cannot follow") !=
+          std::string::npos);
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ echo "$count damaged files, no crash"
 for damage in 'head -c 700' 'tail -c +2' 'tr A-Z a-z'; do
     $damage <"$folder/seed.h5" >"$folder/bad.h5"
     for command in 'show bad.h5' 'diff seed.h5 bad.h5' 'augment bad.h5 -o x.h5 --step gain=1' \
-        'train bad.h5 -o x.json' 'export datasheet bad.h5'; do
+        'train bad.h5 -o x.json' 'export datasheet bad.h5' 'export croissant bad.h5'; do
         # shellcheck disable=SC2086  # one word per argument
         said=$(cd "$folder" && "$1" $command 2>&1)
         status=$?

@@ -116,7 +116,13 @@ TEST_CASE("classes of one name, of no material or too few are refused by line", 
                    "class.bow_m"));
     CHECK(contains(population_refusal(two_classes + replaced(laws, "height_mm", "hight_mm")),
                    "height"));
-    CHECK(contains(population_refusal(two_classes), "session"));
+}
+
+TEST_CASE("placements and frames without laws are all alike", "[sim]") {
+    const Population population = read(two_classes);
+    CHECK(population.session.height_m.spread() == 0.0);
+    CHECK(population.session.gain_db.median() == 0.0);
+    CHECK(population.frame.displacement_m.spread() == 0.0);
 }
 
 }  // namespace

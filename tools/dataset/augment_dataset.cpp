@@ -5,12 +5,14 @@
 #include <optional>
 
 #include "classifier/augment.hpp"
+#include "sim/core/atomic_file.hpp"
 #include "sim/core/error.hpp"
 #include "sim/core/format.hpp"
 #include "sim/core/version.hpp"
 #include "sim/dataset/sha256.hpp"
 #include "sim/parallel.hpp"
 #include "tools/dataset/frame_blocks.hpp"
+#include "tools/generate/interruption.hpp"
 #include "tools/study/progress.hpp"
 
 namespace specula {
@@ -209,9 +211,12 @@ std::string augment_dataset(const std::filesystem::path& data, const std::filesy
     std::error_code ignored;
     if (std::filesystem::equivalent(data, out, ignored))
         throw InputError(out.string() + ": is the dataset itself; give --out another name");
+    place_of_file(out);  // refuses what is no file
     // Somebody's recipe, a shard of the source, hours of work: none is told from an older output.
     if (std::filesystem::exists(out, ignored))
         throw InputError(out.string() + ": is there already; remove it or name another file");
+    const InterruptionWatch watch("stopped; nothing was written: run the same command again");
+    remove_abandoned_drafts(out);
     const CopyMaker maker(reader.form(), request);
     const Dataset form = form_after(reader.form(), request);
     const std::size_t n_steps = request.how.steps.size();
@@ -228,6 +233,7 @@ std::string augment_dataset(const std::filesystem::path& data, const std::filesy
     for_each_block(reader, [&](std::size_t first, const Dataset& block) {
         const std::size_t step = std::max<std::size_t>(1, block.n_frames() / maker.per_frame());
         for (std::size_t at = 0; at < block.n_frames(); at += step) {
+            InterruptionWatch::check();
             const std::size_t n = std::min(step, block.n_frames() - at);
             const auto made = maker.make(first + at, frames_of(block, {at, at + n}));
             writer.append(pack_frames(made.frames, {0, made.frames.n_frames()}));

@@ -20,7 +20,8 @@ struct AugmentRequest {
 /// Writes `out`: each frame of `data`, then its changed copies, with the groups of the original,
 /// what was drawn for each copy (/augmentation), and the truth as it is afterwards. Reads and
 /// writes a block at a time. The same request gives the same bytes for any number of threads.
-/// Returns the fingerprint. Throws InputError where a step cannot be taken, SystemError.
+/// Returns the fingerprint. Throws InputError where a step cannot be taken, SystemError, and
+/// Interrupted for signals; nothing is left then.
 std::string augment_dataset(const std::filesystem::path& data, const std::filesystem::path& out,
                             const AugmentRequest& request);
 

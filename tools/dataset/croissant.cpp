@@ -5,13 +5,13 @@
 #include <ctime>
 #include <nlohmann/json.hpp>
 
-#include "sim/core/atomic_file.hpp"
 #include "sim/core/error.hpp"
 #include "sim/core/format.hpp"
 #include "sim/dataset/dataset_reader.hpp"
 #include "sim/dataset/sha256.hpp"
+#include "tools/dataset/dataset_check.hpp"
 #include "tools/dataset/dataset_documents.hpp"
-#include "tools/dataset/document_folder.hpp"
+#include "tools/generate/manifest.hpp"
 
 namespace specula {
 
@@ -87,7 +87,9 @@ Json field_of(const Described& from, const std::string& table) {
 
 Json frames_of(const Described& from) {
     Json fields = Json::array();
-    for (const std::string& table : from.in.tables()) fields.push_back(field_of(from, table));
+    for (const std::string& table : from.in.tables())
+        if (from.in.is_house_table(table) && !from.in.number_type(table).empty())
+            fields.push_back(field_of(from, table));
     return {{"@type", "cr:RecordSet"},
             {"@id", "frames"},
             {"name", "frames"},
@@ -115,16 +117,51 @@ Json classes_of(const std::vector<std::string>& names) {
         {"data", data}};
 }
 
-Json file_of(const Described& from) {
+struct DescribedFile {
+    std::string description;
+    std::string kind;  ///< a MIME type
+    std::string hash;
+};
+
+Json file_object(const std::filesystem::path& file, const DescribedFile& described) {
+    const std::string name = file.filename().string();
     return {{"@type", "cr:FileObject"},
-            {"@id", from.id()},
-            {"name", from.id()},
-            {"description", "HDF5 1.10, format " + from.in.text("/", "format") + " version " +
-                                from.in.attribute_text("/", "format_version")},
-            {"contentUrl", from.id()},
-            {"contentSize", format("{} B", std::filesystem::file_size(from.file))},
-            {"encodingFormat", "application/x-hdf5"},
-            {"sha256", sha256_of_file(from.file)}};
+            {"@id", name},
+            {"name", name},
+            {"description", described.description},
+            {"contentUrl", name},
+            {"contentSize", format("{} B", std::filesystem::file_size(file))},
+            {"encodingFormat", described.kind},
+            {"sha256", described.hash}};
+}
+
+/// The file; of an index also the shards that it shows, which are hashed anew, and their manifest.
+Json files_of(const Described& from) {
+    const std::string version = "HDF5 1.10, format " + from.in.text("/", "format") + " version " +
+                                from.in.attribute_text("/", "format_version");
+    const bool is_index = is_shard_index(from.file);
+    Json files = Json::array();
+    files.push_back(file_object(
+        from.file, {.description = version + (is_index ? "; shows the shards as one dataset" : ""),
+                    .kind = "application/x-hdf5",
+                    .hash = sha256_of_file(from.file)}));
+    if (!is_index) return files;
+    const std::filesystem::path folder = from.file.parent_path();
+    const std::filesystem::path manifest = folder / "manifest.sha256";
+    files.push_back(
+        file_object(manifest, {.description = "SHA-256 of the shards, as sha256sum -c takes it",
+                               .kind = "text/plain",
+                               .hash = sha256_of_file(manifest)}));
+    for (const auto& [shard, hash] : read_manifests(folder)) {
+        if (sha256_of_file(folder / shard) != hash)
+            throw InputError((folder / shard).string() +
+                             ": is damaged, its SHA-256 is not the manifest's; remove it, and run "
+                             "its generate command again");
+        files.push_back(file_object(folder / shard, {.description = version + "; some sessions",
+                                                     .kind = "application/x-hdf5",
+                                                     .hash = hash}));
+    }
+    return files;
 }
 
 bool is_url(const std::string& text) {
@@ -140,6 +177,16 @@ Json license_of(const DocumentOptions& options) {
 }  // namespace
 
 std::string croissant_of(const std::filesystem::path& dataset, const DocumentOptions& options) {
+    check_dataset(DatasetReader(dataset));
+    return croissant_of_whole(dataset, options);
+}
+
+std::string croissant_mark(const std::filesystem::path& dataset) {
+    return format("\"contentUrl\": {}", Json(dataset.filename().string()).dump());
+}
+
+std::string croissant_of_whole(const std::filesystem::path& dataset,
+                               const DocumentOptions& options) {
     const DatasetReader reader(dataset);
     const Hdf5File in = Hdf5File::open(dataset);
     const Described from{dataset, in};
@@ -151,9 +198,10 @@ std::string croissant_of(const std::filesystem::path& dataset, const DocumentOpt
         {"name", dataset.stem().string()},
         {"description",
          format("{} frames of FMCW radar over material samples, condition \"{}\", radar {}, {} "
-                "classes; {} with specula {}. DATASHEET.md says more.",
+                "classes; {} with specula {}. {} says more.",
                 reader.n_frames(), origin.condition, origin.radar, reader.form().class_names.size(),
-                simulated ? "simulated" : origin.source, origin.version)},
+                simulated ? "simulated" : origin.source, origin.version,
+                document_files(dataset, "").datasheet.string())},
         {"conformsTo", conforms_to},
         {"license", license_of(options)},
         {"url", options.url.empty() ? "./" : options.url},
@@ -166,19 +214,9 @@ std::string croissant_of(const std::filesystem::path& dataset, const DocumentOpt
         {"keywords",
          {"FMCW radar", "millimetre wave", "material classification",
           simulated ? "simulation" : "recording"}},
-        {"distribution", {file_of(from)}},
+        {"distribution", files_of(from)},
         {"recordSet", {frames_of(from), classes_of(reader.form().class_names)}}};
     return description.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
-std::filesystem::path write_croissant(const std::filesystem::path& dataset,
-                                      const std::filesystem::path& folder,
-                                      const DocumentOptions& options) {
-    const std::filesystem::path out = document_in(
-        folder, {.name = "croissant.json",
-                 .mark = format("\"contentUrl\": {}", Json(dataset.filename().string()).dump())});
-    write_file_atomically(out, croissant_of(dataset, options));
-    return out;
 }
 
 }  // namespace specula

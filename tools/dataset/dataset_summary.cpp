@@ -7,6 +7,7 @@
 #include "sim/dataset/fingerprint.hpp"
 #include "tools/dataset/frame_blocks.hpp"
 #include "tools/dataset/frame_profiles.hpp"
+#include "tools/generate/interruption.hpp"
 #include "tools/study/progress.hpp"
 
 namespace specula {
@@ -156,6 +157,7 @@ DatasetSummary summarise_dataset(const std::filesystem::path& file, int threads)
                          static_cast<double>(reader.n_frames());
     if (codes > slow_codes) progress.emplace("reading", "frames", reader.n_frames());
     for_each_block(reader, [&](std::size_t first, const Dataset& block) {
+        InterruptionWatch::check();
         summary.add(block);
         hash.add(reader.frame_hashes({first, first + block.n_frames()}));
         if (progress) progress->done() += block.n_frames();

@@ -1,9 +1,7 @@
-#include "sim/core/atomic_file.hpp"
 #include "sim/core/format.hpp"
 #include "sim/dataset/sha256.hpp"
 #include "tools/dataset/dataset_documents.hpp"
 #include "tools/dataset/dataset_summary.hpp"
-#include "tools/dataset/document_folder.hpp"
 #include "tools/dataset/text_histogram.hpp"
 
 namespace specula {
@@ -197,29 +195,20 @@ std::string maintenance(const Subject& subject) {
     return text;
 }
 
-std::string title_of(const std::filesystem::path& file) {
-    return format("# Datasheet of {}\n", file.filename().string());
-}
-
 }  // namespace
+
+std::string datasheet_title(const std::filesystem::path& dataset) {
+    return format("# Datasheet of {}\n", dataset.filename().string());
+}
 
 std::string datasheet_of(const std::filesystem::path& dataset, const DocumentOptions& options,
                          int threads) {
     const DatasetSummary summary = summarise_dataset(dataset, threads);
     const Subject subject{dataset, summary, options};
-    return title_of(dataset) +
+    return datasheet_title(dataset) +
            "\nQuestions after T. Gebru et al., Datasheets for Datasets, CACM 64(12), 2021.\n\n" +
            motivation(subject) + composition(subject) + collection(subject) + uses(subject) +
            distribution(subject) + maintenance(subject);
-}
-
-std::filesystem::path write_datasheet(const std::filesystem::path& dataset,
-                                      const std::filesystem::path& folder,
-                                      const DocumentOptions& options, int threads) {
-    const std::filesystem::path out =
-        document_in(folder, {.name = "DATASHEET.md", .mark = title_of(dataset)});
-    write_file_atomically(out, datasheet_of(dataset, options, threads));
-    return out;
 }
 
 }  // namespace specula

@@ -1,13 +1,12 @@
 #include "tools/generate/finished_output.hpp"
 
-#include <cerrno>
-#include <csignal>
-#include <cstdlib>
-
+#include "sim/core/atomic_file.hpp"
 #include "sim/core/error.hpp"
+#include "sim/core/format.hpp"
 #include "sim/dataset/dataset_reader.hpp"
 #include "sim/dataset/fingerprint.hpp"
 #include "sim/dataset/sha256.hpp"
+#include "tools/dataset/dataset_check.hpp"
 #include "tools/generate/generate.hpp"
 #include "tools/generate/shard_folder.hpp"
 
@@ -32,16 +31,26 @@ bool begins_with(const std::string& text, const std::string& beginning) {
     return text.rfind(beginning, 0) == 0;
 }
 
-/// A draft `NAME.draft-PID-N` of a document that a killed process left; one of a living process is
-/// still being written.
-bool is_abandoned_document(const std::string& name) {
-    for (const std::string document : {"DATASHEET.md", "croissant.json"}) {
-        const std::string mark = document + ".draft-";
-        if (!begins_with(name, mark)) continue;
-        const int process = std::atoi(name.c_str() + mark.size());
-        return process > 0 && ::kill(process, 0) == -1 && errno == ESRCH;
+fs::path folder_of(const fs::path& file) {
+    return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+/// What `work` finds wrong with a file, and then what to do about it.
+template <typename Work>
+auto with_remedy(const char* remedy, const Work& work) {
+    try {
+        return work();
+    } catch (const InputError& error) {
+        throw InputError(format("{}; {}", error.what(), remedy));
     }
-    return false;
+}
+
+/// Reads what was written: all frames of a file; of an index, whose shards have a hash each, the first
+/// and the last, which open every table of it.
+void check_frames(const DatasetReader& in, bool is_index) {
+    if (!is_index) return check_dataset(in);
+    for (const std::size_t frame : {std::size_t{0}, in.n_frames() - 1})
+        if (in.n_frames() > 0) in.read({frame, frame + 1});
 }
 
 }  // namespace
@@ -52,8 +61,14 @@ FinishedOutput::FinishedOutput(const fs::path& out)
       keeps_shards_(is_folder_output(out)) {}
 
 bool FinishedOutput::is_there(const std::string& recipe) const {
+    place_of_file(file_);  // refuses what is no file
     if (!fs::exists(file_) || (keeps_shards_ && !shards_are_whole())) return false;
-    check_same_recipe(file_, DatasetReader(file_).form().origin.recipe, recipe);
+    const DatasetReader in = with_remedy(
+        "name another output, or remove it if it is a damaged one of this command",
+        [&] { return DatasetReader(file_); });
+    check_same_recipe(file_, in.form().origin.recipe, recipe);
+    with_remedy("remove it, and the same command makes it again",
+                [&] { check_frames(in, keeps_shards_); });
     return true;
 }
 
@@ -87,16 +102,16 @@ double FinishedOutput::bytes() const {
 
 void FinishedOutput::remove_drafts(const Share& share) const {
     if (!share.is_whole()) return;
-    const fs::path folder = file_.has_parent_path() ? file_.parent_path() : fs::path(".");
-    remove_files(folder, [&](const std::string& name) {
-        return begins_with(name, file_.filename().string() + ".draft-");
-    });
+    std::vector<fs::path> made{place_of_file(file_)};
+    if (keeps_shards_) made.push_back(shards_ / "manifest.sha256");
+    for (const fs::path& each : made)
+        remove_files(folder_of(each), [&](const std::string& name) {
+            return begins_with(name, each.filename().string() + ".draft-");
+        });
 }
 
 void FinishedOutput::remove_leftovers() const {
     std::error_code ignored;
-    remove_files(file_.has_parent_path() ? file_.parent_path() : fs::path("."),
-                 is_abandoned_document);
     if (!keeps_shards_) {
         fs::remove_all(shards_, ignored);
         return;

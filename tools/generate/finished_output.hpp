@@ -14,8 +14,9 @@ class FinishedOutput {
     /// FILE.h5.parts, or the folder itself.
     const std::filesystem::path& shards() const { return shards_; }
 
-    /// Whether the dataset is there, whole. Throws InputError where something else is there:
-    /// another recipe's dataset, or no dataset.
+    /// Whether the dataset is there, whole: all its frames are read and held against their hashes, the
+    /// shards of a folder against the manifest. Throws InputError where something else is there
+    /// (another recipe's dataset, no dataset, no file), or a damaged one, and says what to do.
     bool is_there(const std::string& recipe) const;
     std::string fingerprint() const;
     double bytes() const;

@@ -106,6 +106,24 @@ void record_missing(const Recipe& recipe, const GenerateRequest& request, const 
     }
 }
 
+/// The folders that a path needs and that are not there yet.
+class NewFolders {
+  public:
+    explicit NewFolders(fs::path folder) {
+        if (!folder.has_filename()) folder = folder.parent_path();
+        for (; !folder.empty() && !fs::exists(folder); folder = folder.parent_path())
+            missing_.push_back(folder);
+    }
+    /// Once they were made: those that hold nothing.
+    void remove_empty() const {
+        std::error_code holds_something;
+        for (const fs::path& folder : missing_) fs::remove(folder, holds_something);
+    }
+
+  private:
+    std::vector<fs::path> missing_;  ///< the innermost first
+};
+
 /// The finished file: from its shards, which it takes the place of.
 void finish_output(const GenerateRequest& request, ShardFolder& folder, GenerateReport& report) {
     const bool keeps_shards = is_folder_output(request.out);
@@ -145,7 +163,9 @@ GenerateReport run_generate(const Recipe& recipe, const GenerateRequest& request
         report.bytes = output.bytes();
         output.remove_leftovers();
     } else {
-        const InterruptionWatch watch;
+        const InterruptionWatch watch(
+            "stopped; what is finished is kept: run the same command again to resume");
+        const NewFolders made(output.shards());
         ShardFolder folder(output.shards(), recipe, request.share);
         output.remove_drafts(request.share);
         const auto missing = folder.missing();
@@ -153,7 +173,10 @@ GenerateReport run_generate(const Recipe& recipe, const GenerateRequest& request
             try {
                 look_ahead(recipe, request, materials, folder);
             } catch (...) {
-                if (folder.n_finished() == 0) output.remove_leftovers();
+                if (folder.n_finished() == 0) {
+                    output.remove_leftovers();
+                    made.remove_empty();
+                }
                 throw;
             }
             record_missing(recipe, request, materials, folder);

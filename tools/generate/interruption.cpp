@@ -1,12 +1,14 @@
 #include "tools/generate/interruption.hpp"
 
 #include <csignal>
+#include <utility>
 
 namespace specula {
 
 namespace {
 
 volatile std::sig_atomic_t signal_that_came = 0;
+std::string message_of_watch;
 
 extern "C" void specula_note_signal(int signal_number) {
     signal_that_came = signal_number;
@@ -16,8 +18,9 @@ constexpr int watched[] = {SIGINT, SIGTERM, SIGHUP};
 
 }  // namespace
 
-InterruptionWatch::InterruptionWatch() {
+InterruptionWatch::InterruptionWatch(std::string message) {
     signal_that_came = 0;
+    message_of_watch = std::move(message);
     struct sigaction action = {};
     action.sa_handler = specula_note_signal;
     action.sa_flags = SA_RESTART | static_cast<int>(SA_RESETHAND);
@@ -26,13 +29,12 @@ InterruptionWatch::InterruptionWatch() {
 
 InterruptionWatch::~InterruptionWatch() {
     for (const int signal_number : watched) std::signal(signal_number, SIG_DFL);
+    signal_that_came = 0;
 }
 
 void InterruptionWatch::check() {
     if (const int signal_number = signal_that_came)
-        throw Interrupted(
-            signal_number,
-            "stopped; what is finished is kept: run the same command again to resume");
+        throw Interrupted(signal_number, message_of_watch);
 }
 
 }  // namespace specula

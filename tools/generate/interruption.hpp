@@ -1,6 +1,7 @@
 #pragma once
 
 #include <stdexcept>
+#include <string>
 
 namespace specula {
 
@@ -19,12 +20,13 @@ class Interrupted : public std::runtime_error {
 /// once, which the protocol of shards allows. One at a time.
 class InterruptionWatch {
   public:
-    InterruptionWatch();
+    /// @in  message  of the error: what is kept, and how to go on
+    explicit InterruptionWatch(std::string message);
     ~InterruptionWatch();
     InterruptionWatch(const InterruptionWatch&) = delete;
     InterruptionWatch& operator=(const InterruptionWatch&) = delete;
 
-    /// Throws Interrupted when a signal came.
+    /// Throws Interrupted when a signal came to the one that lives.
     static void check();
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "sim/core/atomic_file.hpp"
 #include "sim/core/error.hpp"
 #include "sim/core/format.hpp"
 #include "sim/dataset/dataset_reader.hpp"
@@ -111,6 +112,8 @@ MergeReport run_merge(const MergeRequest& request) {
     check_one_run(parts);
     check_tiling(parts);
     const bool keeps_shards = is_folder_output(request.out);
+    const fs::path file = keeps_shards ? request.out / "index.h5" : request.out;
+    place_of_file(file);  // refuses what is no file
     if (keeps_shards &&
         (request.folders.size() > 1 || !fs::equivalent(request.folders.front(), request.out)))
         throw InputError(request.out.string() +
@@ -121,10 +124,13 @@ MergeReport run_merge(const MergeRequest& request) {
 
     std::vector<FinishedShard> shards;
     for (const Part& part : parts) shards.push_back(part.shard);
-    const InterruptionWatch watch;
+    const InterruptionWatch watch(
+        "stopped; nothing was written, the shards are as they were: run the same command again");
+    remove_abandoned_drafts(file);
+    if (keeps_shards) remove_abandoned_drafts(request.out / "manifest.sha256");
     const Assembled made =
         keeps_shards ? index_shards(shards, request.out) : assemble(shards, request.out);
-    MergeReport report{.file = keeps_shards ? request.out / "index.h5" : request.out,
+    MergeReport report{.file = file,
                        .n_shards = shards.size(),
                        .n_frames = made.n_frames,
                        .bytes = 0.0,

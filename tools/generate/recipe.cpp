@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "sim/core/document_seed.hpp"
 #include "sim/core/error.hpp"
 #include "sim/core/format.hpp"
 #include "sim/generate.hpp"
@@ -70,15 +71,16 @@ fw_extract_config usual_descriptor() {
 
 void take_dataset(Recipe& recipe, Section& root, const Catalogue& catalogue) {
     root.text("title");
-    recipe.seed = static_cast<std::uint64_t>(root.count("seed", Range::at_least(0)));
+    recipe.seed = read_seed(root);
     recipe.worlds = root.count("worlds", Range::between(1, most_worlds));
     recipe.radar = catalogue.radar(root, "radar");
     recipe.nominal_height_m =
         root.quantity("nominal_height", Unit::length, Range::inside(0.0, 100.0));
     recipe.solver = read_solver(root);
     if (root.has("store")) {
+        const std::vector<std::string> names = root.texts("store");
         try {
-            recipe.stored = stored_forms(root.texts("store"));
+            recipe.stored = stored_forms(names);
         } catch (const InputError& error) {
             root.fail("store", error.what(), "use some of \"adc\", \"profiles\" and \"features\"");
         }

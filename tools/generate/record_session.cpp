@@ -8,6 +8,7 @@
 #include "sim/core/expect.hpp"
 #include "sim/core/format.hpp"
 #include "sim/core/version.hpp"
+#include "sim/dataset/truth_range.hpp"
 
 namespace specula {
 
@@ -66,18 +67,22 @@ void add_features(Dataset& frames, const Recipe& recipe) {
     }
 }
 
-/// What is not finite must not reach a file; readers would refuse all of it.
-void check_finite(const Dataset& frames, std::size_t session) {
+/// What is not finite, or not possible, must not reach a file; readers would refuse all of it.
+void check_values(const Dataset& frames, std::size_t session) {
     const auto finite = [](auto value) { return std::isfinite(value); };
-    bool all =
-        std::ranges::all_of(frames.profile, finite) && std::ranges::all_of(frames.features, finite);
-    for (const Truth& truth : frames.truth)
-        for (const TruthColumn& column : truth_columns) all = all && finite(truth.*column.member);
-    if (!all)
+    if (!std::ranges::all_of(frames.profile, finite) ||
+        !std::ranges::all_of(frames.features, finite))
         throw SystemError(
             format("session {}: gives a value that is not finite; this is a fault of "
                    "the program, please report the experiment",
                    session));
+    for (const Truth& truth : frames.truth)
+        for (std::size_t i = 0; i < truth_columns.size(); ++i)
+            if (const std::string problem = truth_problem(i, truth.*truth_columns[i].member);
+                !problem.empty())
+                throw InputError(format("session {}: {} = {}: {}; choose laws that stay inside",
+                                        session, truth_columns[i].name,
+                                        truth.*truth_columns[i].member, problem));
 }
 
 }  // namespace
@@ -132,7 +137,7 @@ FrameBlock record_session(const Recipe& recipe, const Library& materials, std::s
         frames.adc.clear();
         frames.adc_quadrature.clear();
     }
-    check_finite(frames, number);
+    check_values(frames, number);
     return pack_frames(frames, {0, frames.n_frames()});
 }
 

@@ -29,11 +29,15 @@ std::size_t whole_number(const std::string& text, const std::string& what) {
 }
 
 Share checked(const Share& share, const std::string& text) {
-    if (share.count == 0 || share.index >= share.count)
-        throw InputError(format("--shard {}: is none of the shares, which are 0/{} to {}/{}", text,
-                                std::max<std::size_t>(1, share.count),
-                                std::max<std::size_t>(1, share.count) - 1,
-                                std::max<std::size_t>(1, share.count)));
+    if (share.count == 0)
+        throw InputError(format(
+            "--shard {}: is a share of none; write INDEX/COUNT with a COUNT from 1, such as 0/8",
+            text));
+    if (share.index >= share.count)
+        throw InputError(format("--shard {}: is none of the shares, which are {}", text,
+                                share.count == 1 ? std::string("0/1 alone")
+                                                 : format("0/{0} to {1}/{0}", share.count,
+                                                          share.count - 1)));
     return share;
 }
 

@@ -37,7 +37,11 @@ class SpeculaDataset:
     def split(self, share=0.2, by="session", seed=0):
         """(training, held back): no session (or sample, world) is on both sides."""
         ids = np.unique(self.groups[by][self.rows])
-        held = np.random.default_rng(seed).permutation(ids)[: max(1, round(share * len(ids)))]
+        if len(ids) < 2 or not 0 < share < 1:
+            raise ValueError(f"{self.path}: {len(ids)} {by}(s) cannot be split at {share}; take a "
+                             "finer group, such as by='session', or a share between 0 and 1")
+        n_held = min(max(1, round(share * len(ids))), len(ids) - 1)
+        held = np.random.default_rng(seed).permutation(ids)[:n_held]
         out = np.isin(self.groups[by][self.rows], held)
         return (SpeculaDataset(self.path, self.table, self.rows[~out]),
                 SpeculaDataset(self.path, self.table, self.rows[out]))

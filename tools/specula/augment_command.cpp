@@ -74,6 +74,7 @@ void augment_command(const AugmentArguments& arguments, const Catalogue& catalog
         static_cast<std::size_t>(arguments.copies) + (arguments.without_originals ? 0 : 1);
     std::printf("Wrote %s: %zu frames of %zu, fingerprint %s\n", arguments.out.c_str(),
                 reader.n_frames() * per_frame, reader.n_frames(), fingerprint.c_str());
+    describe_written(arguments.out, arguments.threads);
 }
 
 }  // namespace specula

@@ -147,6 +147,17 @@ std::string usage_problem(const CLI::App& program, const CLI::ParseError& error,
                   near.empty() ? "" : "did you mean " + near + "? ", quoted_list(names));
 }
 
+/// An empty name is a variable of a script that was not set, not a wish for the default.
+void refuse_empty_outputs(CLI::App& program) {
+    for (CLI::App* command : program.get_subcommands({})) {
+        refuse_empty_outputs(*command);
+        if (CLI::Option* out = command->get_option_no_throw("--out"))
+            out->check([](const std::string& name) {
+                return name.empty() ? std::string("is empty; name a file or a folder") : "";
+            });
+    }
+}
+
 /// What was printed may not fit on a disk; a reader who closed the pipe has seen enough.
 void flush_output() {
     errno = 0;
@@ -173,6 +184,7 @@ int run_program(int argc, char** argv) {
     generation.threads = available_threads();
     add_generate(program, generation);
     MergeArguments merging;
+    merging.threads = available_threads();
     add_merge(program, merging);
     SimulateArguments simulate;
     add_simulate(program, simulate);
@@ -222,6 +234,8 @@ int run_program(int argc, char** argv) {
         ->add_option("SHELL", shell, "bash or zsh")
         ->check(CLI::IsMember({"bash", "zsh"}).description(""))
         ->capture_default_str();
+
+    refuse_empty_outputs(program);
 
     try {
         program.parse(argc, argv);

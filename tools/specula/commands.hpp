@@ -40,6 +40,7 @@ void generate_command(const GenerateArguments& arguments, const Catalogue& catal
 struct MergeArguments {
     std::vector<std::filesystem::path> folders;
     std::filesystem::path out;
+    int threads = 1;  ///< of the datasheet
 };
 void merge_command(const MergeArguments& arguments);
 

@@ -39,5 +39,8 @@ struct DocumentArguments {
     int threads = 1;
 };
 void document_command(const DocumentArguments& arguments);
+/// Datasheet and Croissant metadata beside a dataset that a command has finished; a warning where
+/// their names are taken.
+void describe_written(const std::filesystem::path& dataset, int threads);
 
 }  // namespace specula

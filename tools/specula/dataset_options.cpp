@@ -41,7 +41,9 @@ void add_augment(CLI::App& program, AugmentArguments& arguments) {
         "kept,\n"
         "  so that a copy never leaves its original's side of a split.");
     command->add_option("DATASET", arguments.data, "dataset (.h5): codes or features")->required();
-    command->add_option("-o,--out", arguments.out, "dataset to write")
+    command
+        ->add_option("-o,--out", arguments.out,
+                     "dataset to write; datasheet and Croissant metadata come beside it")
         ->required()
         ->type_name("FILE");
     command->add_option("--recipe", arguments.recipe, "steps as [[step]] of a .toml file")
@@ -66,9 +68,9 @@ void add_augment(CLI::App& program, AugmentArguments& arguments) {
 void add_documents(CLI::App& program, DocumentArguments& arguments) {
     for (const auto& [name, what] :
          {std::pair{"datasheet",
-                    "DATASHEET.md: what a dataset holds, how it came about, its limits"},
+                    "NAME.DATASHEET.md: what a dataset holds, how it came about, its limits"},
           {"croissant",
-           "croissant.json: the same for machines (JSON-LD of MLCommons, with sha256)"}}) {
+           "NAME.croissant.json: the same for machines (JSON-LD of MLCommons, with sha256)"}}) {
         CLI::App* command = export_group(program)->add_subcommand(name, what);
         command->footer(std::string("Example:\n  specula export ") + name +
                         " boards.h5 --license https://spdx.org/licenses/CC-BY-4.0 "

@@ -4,12 +4,11 @@
 
 #include "sim/core/error.hpp"
 #include "sim/core/format.hpp"
-#include "tools/console/console.hpp"
-#include "tools/dataset/dataset_documents.hpp"
 #include "tools/generate/generate.hpp"
 #include "tools/generate/merge.hpp"
 #include "tools/generate/preflight.hpp"
 #include "tools/specula/commands.hpp"
+#include "tools/specula/dataset_commands.hpp"
 
 namespace specula {
 
@@ -36,22 +35,6 @@ fs::path recipe_file(const std::string& wanted, const Catalogue& catalogue) {
 std::string environment(const std::string& name) {
     const char* value = std::getenv(name.c_str());
     return value ? value : "";
-}
-
-/// Datasheet and Croissant metadata, unless they are there or their names are taken.
-void write_documents(const GenerateReport& report, int threads) {
-    const fs::path folder = report.file.has_parent_path() ? report.file.parent_path() : ".";
-    const bool are_there =
-        fs::exists(folder / "DATASHEET.md") && fs::exists(folder / "croissant.json");
-    if (report.n_recorded == 0 && are_there) return;
-    try {
-        const fs::path sheet = write_datasheet(report.file, folder, {}, threads);
-        const fs::path metadata = write_croissant(report.file, folder, {});
-        std::printf("Beside it %s and %s\n", sheet.filename().c_str(),
-                    metadata.filename().c_str());
-    } catch (const InputError& taken) {  // by another dataset in the same folder
-        say_warning(taken.what());
-    }
 }
 
 void print_report(const GenerateReport& report, const GenerateArguments& arguments,
@@ -96,7 +79,7 @@ void generate_command(const GenerateArguments& arguments, const Catalogue& catal
         run_generate(recipe, {.out = out, .share = share, .threads = arguments.threads, .say = say},
                      catalogue.materials);
     print_report(report, arguments, out);
-    if (!report.file.empty()) write_documents(report, arguments.threads);
+    if (!report.file.empty()) describe_written(report.file, arguments.threads);
 }
 
 void merge_command(const MergeArguments& arguments) {
@@ -104,6 +87,7 @@ void merge_command(const MergeArguments& arguments) {
     std::printf("Wrote %s: %zu frames of %zu shards, %s\nfingerprint %s\n", report.file.c_str(),
                 report.n_frames, report.n_shards, bytes_text(report.bytes).c_str(),
                 report.fingerprint.c_str());
+    describe_written(report.file, arguments.threads);
     if (!is_folder_output(arguments.out)) std::printf("The shards are no longer needed.\n");
 }
 

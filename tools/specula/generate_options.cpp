@@ -14,7 +14,8 @@ void add_generate(CLI::App& program, GenerateArguments& arguments) {
         ->required();
     command
         ->add_option("-o,--out", arguments.out,
-                     "FILE.h5, or FOLDER/ for shards and an index; default out/EXPERIMENT.h5")
+                     "FILE.h5, or FOLDER/ for shards and an index; default out/EXPERIMENT.h5. Datasheet "
+                     "and Croissant metadata come beside it")
         ->type_name("PATH");
     command->add_option("--condition", arguments.condition,
                         "of an experiment; default its training recordings");
@@ -46,6 +47,7 @@ void add_merge(CLI::App& program, MergeArguments& arguments) {
                      "FILE.h5; or the one FOLDER itself, which gets an index")
         ->type_name("PATH")
         ->required();
+    add_threads(command, arguments.threads);
 }
 
 }  // namespace specula

@@ -1,5 +1,9 @@
 #include "tools/specula/output_place.hpp"
 
+#include <algorithm>
+#include <cctype>
+
+#include "sim/core/document.hpp"
 #include "sim/core/error.hpp"
 #include "sim/core/format.hpp"
 
@@ -18,6 +22,18 @@ void prepare_output(const fs::path& out, const std::vector<fs::path>& inputs) {
     fs::create_directories(folder, error);
     if (error)
         throw SystemError(format("{}: cannot create: {}", folder.string(), error.message()));
+}
+
+void check_figure_place(const fs::path& where, const std::vector<std::string>& formats) {
+    const std::string kind = where.extension().string();
+    const bool is_kind = std::any_of(kind.begin(), kind.end(),
+                                     [](unsigned char c) { return std::isalpha(c) != 0; });
+    std::error_code ignored;
+    if (!is_kind || fs::is_directory(where, ignored)) return;
+    if (std::find(formats.begin(), formats.end(), kind) != formats.end()) return;
+    throw InputError(format("--figure {}: no figure is written as {} here; name a folder{}",
+                            where.string(), kind,
+                            formats.empty() ? "" : ", or a file of " + quoted_list(formats)));
 }
 
 }  // namespace specula

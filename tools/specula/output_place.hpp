@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace specula {
@@ -10,5 +11,10 @@ namespace specula {
 /// are none; a missing one is not this function's business.
 void prepare_output(const std::filesystem::path& out,
                     const std::vector<std::filesystem::path>& inputs);
+
+/// Throws InputError where a figure is asked for in a format other than those named, such as ".svg":
+/// its name ends in another, and no folder of that name is there.
+void check_figure_place(const std::filesystem::path& where,
+                        const std::vector<std::string>& formats);
 
 }  // namespace specula

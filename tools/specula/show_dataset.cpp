@@ -9,6 +9,7 @@
 #include "tools/dataset/dataset_summary.hpp"
 #include "tools/dataset/text_histogram.hpp"
 #include "tools/report/render_figure.hpp"
+#include "tools/specula/output_place.hpp"
 
 namespace specula {
 
@@ -126,6 +127,7 @@ void draw(const DatasetSummary& summary, const std::filesystem::path& file,
 }  // namespace
 
 void show_dataset(const std::filesystem::path& file, const std::filesystem::path& figure) {
+    check_figure_place(figure, {".svg", ".png"});
     const DatasetSummary summary = summarise_dataset(file, available_threads());
     std::printf("%s: %s\n", file.c_str(), shape_of(summary).c_str());
     print_origin(summary.head);

@@ -13,6 +13,7 @@
 #include "sim/core/format.hpp"
 #include "tools/report/reflection_curves.hpp"
 #include "tools/report/render_figure.hpp"
+#include "tools/specula/output_place.hpp"
 
 namespace specula {
 
@@ -112,6 +113,7 @@ std::string figure_name(const std::string& material) {
 }  // namespace
 
 void show_material(const Material& material, const std::filesystem::path& figure_folder) {
+    check_figure_place(figure_folder, {});
     show_origin(material);
     show_at_60_ghz(material);
     show_levels(material);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "firmware/fw_mlp.h"
+#include "sim/core/document_seed.hpp"
 #include "sim/core/format.hpp"
 #include "tools/report/study_summary.hpp"
 
@@ -149,7 +150,7 @@ Experiment read_experiment(const std::filesystem::path& file, const Catalogue& c
     experiment.source = root.source();
     experiment.title = root.text("title");
     experiment.question = root.text("question");
-    experiment.seed = static_cast<std::uint64_t>(root.count("seed", Range::at_least(0)));
+    experiment.seed = read_seed(root);
     experiment.radar = catalogue.radar(root, "radar");
     experiment.nominal_height_m =
         root.quantity("nominal_height", Unit::length, Range::inside(0.0, 100.0));

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <fstream>
 
 #include "sim/core/error.hpp"
@@ -25,7 +26,7 @@ bool names(const std::string& message, const fs::path& file, const std::string& 
 TEST_CASE("a missing file and a folder are refused by name", "[dataset]") {
     const TemporaryFolder folder;
     CHECK(names(refusal_of(folder / "none.h5"), folder / "none.h5", "no such file"));
-    CHECK(names(refusal_of(folder.path()), folder.path(), "no such file"));
+    CHECK(names(refusal_of(folder.path()), folder.path(), "is no regular file"));
 }
 
 TEST_CASE("a file that is not HDF5 is refused", "[dataset]") {
@@ -185,7 +186,54 @@ TEST_CASE("a label that names no class is refused", "[dataset]") {
     Dataset dataset = made_up_dataset();
     dataset.truth[4].label = 3;
     write_dataset(folder / "a.h5", dataset);
-    CHECK(names(refusal_of(folder / "a.h5"), folder / "a.h5", "/label: 3 beside 3 class names"));
+    CHECK(names(refusal_of(folder / "a.h5"), folder / "a.h5",
+                "/label: row 4 = 3: is none of the 3 classes"));
+}
+
+TEST_CASE("a truth that cannot be is refused with its row and value", "[dataset]") {
+    const TemporaryFolder folder;
+    const fs::path file = folder / "a.h5";
+    struct Case {
+        double Truth::*member;
+        double value;
+        std::string named;
+    };
+    for (const auto& [member, value, named] : std::vector<Case>{
+             {&Truth::height_m, -0.3, "/truth/height_m: row 4 = -0.3: is not between 0 and 1000"},
+             {&Truth::sample_tilt_y_rad, 90.0, "/truth/sample_tilt_y_rad: row 4 = 90: is not betw"},
+             {&Truth::size_x_m, NAN, "/truth/size_x_m: row 4 = nan: is not finite"},
+             {&Truth::gain_db, INFINITY, "/truth/gain_db: row 4 = inf: is not finite"},
+             {&Truth::loss_factor, -1e-9, "/truth/loss_factor: row 4 = -1e-09: is not between"}}) {
+        Dataset dataset = made_up_dataset();
+        dataset.truth[4].*member = value;
+        write_dataset(file, dataset);
+        INFO(refusal_of(file));
+        CHECK(names(refusal_of(file), file, named));
+    }
+    Dataset unknown = made_up_dataset();  // what nobody measured is not in the file
+    unknown.unknown_truth.set(0);
+    unknown.truth[4].height_m = -1.0;
+    write_dataset(file, unknown);
+    CHECK(refusal_of(file) == "(no error)");
+}
+
+TEST_CASE("a range bin that cannot be is refused", "[dataset]") {
+    const TemporaryFolder folder;
+    const fs::path file = folder / "a.h5";
+    for (const double bin_m : {-0.04, static_cast<double>(NAN), 1e6}) {
+        Dataset dataset = made_up_dataset();
+        dataset.origin.bin_m = bin_m;
+        write_dataset(file, dataset);
+        CHECK(names(refusal_of(file), file, "/@range_bin_m = "));
+        dataset = made_up_recording();
+        dataset.profile_bin_m = bin_m;
+        write_dataset(file, dataset);
+        CHECK(names(refusal_of(file), file, "/profile@bin_m = "));
+    }
+    Dataset dataset = made_up_recording();
+    dataset.features[9] = NAN;
+    write_dataset(file, dataset);
+    CHECK(names(refusal_of(file), file, "/features: row 2 = nan: is not finite"));
 }
 
 TEST_CASE("columns of another length than the frames are refused", "[dataset]") {

@@ -60,6 +60,29 @@ class Hdf5Probe {
         H5Pclose(creation);
     }
 
+    /// Adds to one number of a table of whole numbers of 64 bits.
+    void add_number(const std::string& table, std::size_t row, std::uint64_t more) {
+        const hid_t id = H5Dopen2(file_, table.c_str(), H5P_DEFAULT), space = H5Dget_space(id);
+        std::vector<std::uint64_t> values(
+            static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
+        H5Dread(id, H5T_NATIVE_UINT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+        values[row] += more;
+        H5Dwrite(id, H5T_NATIVE_UINT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+        H5Sclose(space);
+        H5Dclose(id);
+    }
+    /// A table that is neither chunked nor filtered.
+    void add_plain_table(const std::string& object) {
+        const hsize_t n = 3;
+        const double values[] = {1.0, 2.0, 3.0};
+        const hid_t space = H5Screate_simple(1, &n, nullptr);
+        const hid_t id = H5Dcreate2(file_, object.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT,
+                                    H5P_DEFAULT, H5P_DEFAULT);
+        H5Dwrite(id, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values);
+        H5Dclose(id);
+        H5Sclose(space);
+    }
+
     /// Of all objects below the root, in the order of their names.
     std::vector<std::string> objects() const {
         std::vector<std::string> names;

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <cmath>
 #include <fstream>
 #include <iterator>
 
 #include "sim/core/random.hpp"
 #include "sim/dataset/dataset.hpp"
+#include "sim/dataset/truth_range.hpp"
 #include "tests/message_of.hpp"
 
 namespace specula {
@@ -31,7 +33,11 @@ inline Dataset made_up_dataset(std::size_t n_frames = 7) {
         truth.sample = -static_cast<std::int32_t>(stream.bits() >> 1);
         truth.session = static_cast<std::int32_t>(stream.bits() >> 1);
         truth.frame = static_cast<std::int32_t>(stream.bits() >> 1);
-        for (const TruthColumn& column : truth_columns) truth.*column.member = stream.normal();
+        for (std::size_t k = 0; k < truth_columns.size(); ++k) {
+            const double value = stream.normal();
+            truth.*truth_columns[k].member =
+                0.4 * (truth_range(k).least < 0.0 ? value : std::abs(value));
+        }
         dataset.truth.push_back(truth);
     }
     dataset.adc.resize(n_frames * dataset.codes_per_frame());

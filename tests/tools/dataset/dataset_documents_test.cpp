@@ -1,6 +1,10 @@
 #include "tools/dataset/dataset_documents.hpp"
 
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <functional>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -10,6 +14,7 @@
 #include "tests/contains.hpp"
 #include "tests/made_up_folder.hpp"
 #include "tests/message_of.hpp"
+#include "tests/sim/dataset/hdf5_probe.hpp"
 #include "tests/sim/dataset/made_up_dataset.hpp"
 
 namespace specula {
@@ -111,22 +116,91 @@ TEST_CASE("a datasheet of a recording says what nobody measured", "[documents]")
     CHECK(contains(sheet, "not chosen by the maker yet"));
 }
 
-TEST_CASE("documents lie beside their dataset and never replace those of another", "[documents]") {
+TEST_CASE("documents lie beside their dataset under its name", "[documents]") {
     const Described set;
-    CHECK(write_datasheet(set.file, set.folder.path(), {}, 1) == set.folder / "DATASHEET.md");
-    CHECK(write_croissant(set.file, set.folder.path(), {}) == set.folder / "croissant.json");
+    CHECK(write_datasheet(set.file, set.folder.path(), {}, 1) == set.folder / "set.DATASHEET.md");
+    CHECK(write_croissant(set.file, set.folder.path(), {}) == set.folder / "set.croissant.json");
+    CHECK(contains(content_of(set.folder / "set.croissant.json"), "set.DATASHEET.md says more"));
     write_datasheet(set.file, set.folder.path(), {}, 1);  // again: its own
     write_croissant(set.file, set.folder.path(), {});
+    const std::string before = content_of(set.folder / "set.DATASHEET.md");
     write_dataset(set.folder / "other.h5", made_up_dataset(3));
-    const std::string before = content_of(set.folder / "DATASHEET.md");
-    CHECK(message_of([&] {
-              return write_datasheet(set.folder / "other.h5", set.folder.path(), {}, 1);
-          }).find("DATASHEET.md: describes another dataset") != std::string::npos);
-    CHECK(message_of([&] {
-              return write_croissant(set.folder / "other.h5", set.folder.path(), {});
-          }).find("croissant.json: describes another dataset") != std::string::npos);
-    CHECK(content_of(set.folder / "DATASHEET.md") == before);
+    CHECK(write_documents(set.folder / "other.h5", 1));
+    CHECK(contains(content_of(set.folder / "other.croissant.json"), "\"other.h5\""));
+    CHECK(content_of(set.folder / "set.DATASHEET.md") == before);
+
+    write_dataset(set.folder / "set.hdf5", made_up_dataset(3));  // would have the same names
+    for (const auto& work : std::vector<std::function<void()>>{
+             [&] { write_datasheet(set.folder / "set.hdf5", set.folder.path(), {}, 1); },
+             [&] { write_croissant(set.folder / "set.hdf5", set.folder.path(), {}); },
+             [&] { write_documents(set.folder / "set.hdf5", 1); }})
+        CHECK(message_of([&] { return work(), 0; }).find(": describes another dataset") !=
+              std::string::npos);
+    CHECK(content_of(set.folder / "set.DATASHEET.md") == before);
 }
+
+TEST_CASE("documents are written once for the same bytes, and anew for others", "[documents]") {
+    const Described set;
+    const pid_t child = ::fork();
+    if (child == 0) ::_exit(0);
+    ::waitpid(child, nullptr, 0);
+    const auto left = set.folder.with("set.croissant.json.draft-" + std::to_string(child) + "-0", "{");
+    CHECK(write_documents(set.file, 1));
+    CHECK_FALSE(std::filesystem::exists(left));
+    CHECK_FALSE(write_documents(set.file, 1));
+    write_dataset(set.file, made_up_dataset(3));
+    CHECK(write_documents(set.file, 1));
+    CHECK(contains(content_of(set.folder / "set.DATASHEET.md"), sha256_of_file(set.file)));
+    std::filesystem::remove(set.folder / "set.croissant.json");
+    CHECK(write_documents(set.file, 1));
+}
+
+TEST_CASE("a damaged dataset is described by neither document", "[documents]") {
+    const auto refused = [](const Dataset& dataset, const std::string& named) {
+        const Described set(dataset);
+        for (const auto& describe : std::vector<std::function<std::string()>>{
+                 [&] { return datasheet_of(set.file, {}, 1); },
+                 [&] { return croissant_of(set.file, {}); }}) {
+            const std::string message = message_of(describe);
+            INFO(message);
+            CHECK(contains(message, named));
+        }
+    };
+    Dataset wrong = made_up_recording();
+    wrong.features[5] = std::numeric_limits<double>::quiet_NaN();
+    refused(wrong, "/features: row 1 = nan");
+    wrong = made_up_dataset();
+    wrong.truth[2].label = 3;
+    refused(wrong, "/label: row 2 = 3");
+    wrong = made_up_dataset();
+    wrong.truth[6].height_m = -1.0;
+    refused(wrong, "/truth/height_m: row 6 = -1");
+}
+
+#ifdef SPECULA_TEST_HAS_HDF5
+
+TEST_CASE("both documents read a file as all commands do", "[documents]") {
+    const auto message = [](const std::function<void(Hdf5Probe&)>& spoil) {
+        const Described set;
+        {
+            Hdf5Probe h5(set.file);
+            spoil(h5);
+        }
+        const std::string sheet = message_of([&] { return datasheet_of(set.file, {}, 1); });
+        const std::string json = message_of([&] { return croissant_of(set.file, {}); });
+        CHECK(sheet == json);
+        return json;
+    };
+    CHECK(contains(message([](Hdf5Probe& h5) { h5.remove("/label"); }), "/label: is missing"));
+    CHECK(contains(message([](Hdf5Probe& h5) { h5.put_claim("/adc", {1u << 30, 2, 3, 16}); }),
+                   "/adc: is larger than what the file holds"));
+    CHECK(contains(message([](Hdf5Probe& h5) { h5.add_number("/frame_hash", 3, 1); }),
+                   "/frame_hash: does not fit frame 3"));
+    // A stranger's table in a form of its own is nobody's business.
+    CHECK(message([](Hdf5Probe& h5) { h5.add_plain_table("/notes"); }) == "(no error)");
+}
+
+#endif
 
 }  // namespace
 }  // namespace specula

@@ -59,9 +59,11 @@ echo "the whole file: $size bytes"
 
 # Too small from the beginning: refused before anything is simulated.
 dd if=/dev/zero of="$disk/filler" bs=1M count=30 2>/dev/null
-generate "$disk/a.h5" && fail "no refusal"
-grep -q 'needs about .* and has .* free' "$folder/log" || fail "not refused for its size"
-[ "$(ls "$disk")" = filler ] || fail "the refusal left something: $(ls "$disk")"
+for out in a.h5 new/folders/a.h5 new/folder/; do
+    generate "$disk/$out" && fail "no refusal"
+    grep -q 'needs about .* and has .* free' "$folder/log" || fail "not refused for its size"
+    [ "$(ls "$disk")" = filler ] || fail "the refusal left something: $(find "$disk")"
+done
 rm "$disk/filler"
 
 # Filled by somebody else on the way, at several stages.
@@ -88,7 +90,7 @@ for after in 1 3 6; do
     rm -f "$disk/filler"
     generate "$disk/a.h5" || fail "resuming"
     cmp "$disk/a.h5" "$folder/one/one.h5" || fail "other bytes after a full disk"
-    rm "$disk/a.h5" "$disk/DATASHEET.md" "$disk/croissant.json"
+    rm "$disk/a.h5" "$disk/a.DATASHEET.md" "$disk/a.croissant.json"
     [ -z "$(ls "$disk")" ] || fail "left over: $(ls "$disk")"
 done
 

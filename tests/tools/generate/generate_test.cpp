@@ -161,6 +161,62 @@ TEST_CASE("a shard that a finished folder lost is made again, a damaged one is n
           std::string::npos);
 }
 
+TEST_CASE("a finished file that was damaged is named with what to do, and is not touched",
+          "[generate]") {
+    const TemporaryFolder folder;
+    const fs::path file = folder / "a.h5";
+    const std::string& whole = reference().bytes;
+    const auto refusal_of = [&](const std::string& bytes) {
+        std::ofstream(file, std::ios::binary | std::ios::trunc) << bytes;
+        const std::string message = message_of([&] { return run(file).n_recorded; });
+        CHECK(bytes_of(file) == bytes);
+        return message;
+    };
+    // Codes, which are most of the file: one bit anywhere in them.
+    std::size_t named = 0, tried = 0;
+    for (std::size_t at = whole.size() / 8; at < whole.size(); at += whole.size() / 8, ++tried) {
+        std::string damaged = whole;
+        damaged[at] = static_cast<char>(damaged[at] ^ 4);
+        const std::string message = refusal_of(damaged);
+        INFO(at << ": " << message);
+        named += message.rfind(file.string() + ": /", 0) == 0 &&
+                 message.find("remove it, and the same command makes it again") !=
+                     std::string::npos;
+    }
+    CHECK(named == tried);
+    CHECK(refusal_of(whole.substr(0, whole.size() / 2)).find("name another output, or remove it") !=
+          std::string::npos);
+    fs::remove(file);
+    CHECK(run(file).n_recorded > 0);
+    CHECK(bytes_of(file) == whole);
+}
+
+TEST_CASE("an index that was damaged is named, and made again without simulating", "[generate]") {
+    const TemporaryFolder folder;
+    const fs::path kept = folder / "kept", index = kept / "index.h5";
+    fs::create_directory(kept);
+    run(kept);
+    const std::string whole = bytes_of(index);
+    std::string damaged = whole;
+    damaged[damaged.size() / 2] = static_cast<char>(damaged[damaged.size() / 2] ^ 4);
+    std::ofstream(index, std::ios::binary | std::ios::trunc) << damaged;
+    CHECK(message_of([&] { return run(kept).n_recorded; }).find("index.h5: ") !=
+          std::string::npos);
+    fs::remove(index);
+    CHECK(run(kept).n_recorded == 0);
+    CHECK(bytes_of(index) == whole);
+}
+
+TEST_CASE("an output that is no file is refused, one that a link names is made", "[generate]") {
+    CHECK(message_of([] { return run("/dev/full").n_recorded; }) ==
+          "/dev/full: is there, and is no file; give another name");
+    const TemporaryFolder folder;
+    fs::create_symlink("far.h5", folder / "near.h5");
+    run(folder / "near.h5");
+    CHECK(fs::is_symlink(folder / "near.h5"));
+    CHECK(bytes_of(folder / "far.h5") == reference().bytes);
+}
+
 TEST_CASE("profiles and features are what the firmware makes of the codes", "[generate]") {
     const TemporaryFolder folder;
     const Recipe recipe = reference().small.read({.worlds = 1, .store = {"profiles", "features"}});

@@ -1,6 +1,8 @@
 #!/bin/sh
 # Whether a run that is killed at random moments, killed again while it resumes, and then left alone,
-# makes the bytes of an undisturbed run, loses no finished shard, and leaves nothing behind.
+# makes the bytes of an undisturbed run, loses no finished shard, and leaves nothing behind; and whether
+# merge and augment, which write one file in one go, clear away what a killed one left, and end on a signal
+# with a word and without a trace.
 #
 #   kill_test.sh PROGRAM SOURCE_TREE
 #
@@ -120,8 +122,47 @@ while [ $run -lt "$runs" ]; do
         generate run/run.h5 || fail "a finished file: $(cat log)"
     fi
     [ "$(sha256sum <run/run.h5)" = "$expected" ] || fail "other bytes than the undisturbed run's"
-    left=$(ls -A run | grep -vx -e run.h5 -e DATASHEET.md -e croissant.json)
+    left=$(ls -A run | grep -vx -e run.h5 -e run.DATASHEET.md -e run.croissant.json)
     [ -z "$left" ] || fail "left over: $left"
 done
 echo "$runs runs: $killed killed, $in_resume killed again while resuming, $clean stopped by signals;" \
     "all came to the same bytes, no finished shard lost, nothing left over"
+
+for share in 0 1; do
+    "$program" generate small.toml -o two/parts.h5 --shard $share/2 >log 2>&1 || fail "share $share: $(cat log)"
+done
+for command in merge augment; do
+    case $command in
+    merge) set -- merge two/parts.h5.parts -o once/out.h5 ;;
+    augment) set -- augment one/one.h5 -o once/out.h5 --copies 2 --step noise=1 ;;
+    esac
+    rm -rf once && mkdir once
+    begin=$(milliseconds)
+    "$program" "$@" >log 2>&1 || fail "$command: $(cat log)"
+    length=$(($(milliseconds) - begin))
+    expected=$(sha256sum <once/out.h5)
+    cut=0
+    for signal in KILL TERM KILL INT KILL TERM; do
+        rm -rf once && mkdir once
+        "$program" "$@" >log 2>&1 &
+        pid=$!
+        sleep_ms "$(random "$length")"
+        kill -$signal $pid 2>/dev/null
+        wait $pid 2>/dev/null
+        status=$?
+        [ ! -e once/out.h5 ] || continue # finished, and being described
+        cut=$((cut + 1))
+        # A signal before the first line of the program's own ends it like any other.
+        if [ $signal != KILL ] && [ -s log ]; then
+            case $signal in INT) wanted=130 ;; *) wanted=143 ;; esac
+            [ $status = $wanted ] || fail "$command: SIG$signal ends with status $status: $(cat log)"
+            grep -q 'stopped; nothing was written' log || fail "$command: no word of it: $(cat log)"
+            [ -z "$(ls -A once)" ] || fail "$command: SIG$signal leaves $(ls -A once)"
+        fi
+        "$program" "$@" >log 2>&1 || fail "$command after SIG$signal: $(cat log)"
+        [ "$(sha256sum <once/out.h5)" = "$expected" ] || fail "$command: other bytes after SIG$signal"
+        left=$(ls -A once | grep -vx -e out.h5 -e out.DATASHEET.md -e out.croissant.json)
+        [ -z "$left" ] || fail "$command after SIG$signal: left over: $left"
+    done
+    echo "$command: 6 runs, $cut of them cut short; the next one made the same bytes and left nothing over"
+done

@@ -1,5 +1,8 @@
 #include "tools/generate/merge.hpp"
 
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include "tests/check.hpp"
 #include "tests/contains.hpp"
 #include "tests/message_of.hpp"
@@ -30,11 +33,22 @@ class ThreeMachines {
     const SmallRecipe small;
 };
 
+/// The number of a process that has ended.
+std::string ended_process() {
+    const pid_t child = ::fork();
+    if (child == 0) ::_exit(0);
+    ::waitpid(child, nullptr, 0);
+    return std::to_string(child);
+}
+
 TEST_CASE("shards of several machines merge, in any order of the folders", "[generate]") {
     const ThreeMachines machines;
+    const fs::path left = machines.small.folder / ("all.h5.draft-" + ended_process());
+    std::ofstream(left) << "half, killed";
     const MergeReport report =
         run_merge({{machines.folder(2), machines.folder(0), machines.folder(1)},
                    machines.small.folder / "all.h5"});
+    CHECK_FALSE(fs::exists(left));
     CHECK(report.n_shards == 3);
     CHECK(report.n_frames == machines.small.read().n_frames());
     CHECK(contains(machines.refusal({machines.folder(0), machines.folder(1), machines.folder(2)}),

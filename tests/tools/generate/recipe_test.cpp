@@ -87,5 +87,47 @@ TEST_CASE("forms that do not exist are refused with those that do", "[generate]"
           }).find("makes 1600 sessions") != std::string::npos);
 }
 
+TEST_CASE("an empty list of forms is told once", "[generate]") {
+    const SmallRecipe small(with(small_recipe_text, "[\"adc\", \"features\"]", "[]"));
+    const std::string message = message_of([&] { return small.read(); });
+    CHECK(message.find("small.toml:6: store = []: is not a list") != std::string::npos);
+    CHECK(message.find("small.toml", message.find("small.toml") + 1) == std::string::npos);
+}
+
+TEST_CASE("a seed is any whole number of 64 bits, large ones in quotes", "[generate]") {
+    for (const auto& [text, seed] : std::vector<std::pair<std::string, std::uint64_t>>{
+             {"0", 0},
+             {"2147483648", 2147483648ull},
+             {"9223372036854775807", 9223372036854775807ull},
+             {"\"18446744073709551615\"", 18446744073709551615ull}}) {
+        INFO(text);
+        CHECK(SmallRecipe(with(small_recipe_text, "seed = 5", "seed = " + text)).read().seed ==
+              seed);
+    }
+    for (const std::string text : {"-1", "2.5", "[5]", "\"18446744073709551616\"", "\"\"", "true"}) {
+        INFO(text);
+        CHECK(message_of([&] {
+                  return SmallRecipe(with(small_recipe_text, "seed = 5", "seed = " + text)).read();
+              }).find("is not a whole number from 0 to 18446744073709551615") != std::string::npos);
+    }
+    CHECK(message_of([] {
+              return SmallRecipe(with(small_recipe_text, "seed = 5\n", "")).read();
+          }).find("seed: is missing") != std::string::npos);
+}
+
+TEST_CASE("sessions and frames without laws of their own are all as meant", "[generate]") {
+    const auto without = [](std::string text, const std::string& section) {
+        const auto at = text.find(section);
+        REQUIRE(at != std::string::npos);
+        return text.substr(0, at);
+    };
+    const Recipe recipe = SmallRecipe(without(small_recipe_text, "[session]")).read();
+    CHECK(recipe.population.session.gain_db.spread() == 0.0);
+    CHECK(recipe.population.session.gain_db.median() == 0.0);
+    CHECK(recipe.population.frame.displacement_m.spread() == 0.0);
+    CHECK(SmallRecipe(without(small_recipe_text, "[frame]")).read().population.session.gain_db
+              .spread() == Approx(0.3));
+}
+
 }  // namespace
 }  // namespace specula

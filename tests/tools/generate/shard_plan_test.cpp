@@ -67,7 +67,9 @@ TEST_CASE("a share that does not exist is refused with those that do", "[generat
         return message_of([&] { return share(text, variables); });
     };
     CHECK(refusal("8/8") == "--shard 8/8: is none of the shares, which are 0/8 to 7/8");
-    CHECK(refusal("0/0").find("is none of the shares") != std::string::npos);
+    CHECK(refusal("0/0") ==
+          "--shard 0/0: is a share of none; write INDEX/COUNT with a COUNT from 1, such as 0/8");
+    CHECK(refusal("1/1") == "--shard 1/1: is none of the shares, which are 0/1 alone");
     for (const std::string text : {"3", "a/8", "3/", "-1/8", "1/8x", "1.5/8"}) {
         INFO(text);
         CHECK(refusal(text).find("such as 0/8, or env") != std::string::npos);

@@ -44,6 +44,15 @@ def main():
     again, _ = dataset.split(share=0.5)
     assert np.array_equal(again.rows, training.rows)
 
+    for by, share in (("world", 0.2), ("session", 0.0), ("session", 1.0)):  # one world in the file
+        try:
+            dataset.split(share=share, by=by)
+        except ValueError as error:
+            assert path in str(error) and by in str(error), error
+        else:
+            raise AssertionError(f"a split by {by} at {share} of what cannot be split")
+    assert all(len(part) > 0 for part in dataset.split(share=0.99))  # never all of them
+
     expected = [float(frame.astype(np.float32).sum()) for frame in adc]
     assert sums(dataset, range(len(dataset))) == expected  # the file is open from here on
     for method in ("fork", "spawn"):

@@ -3,6 +3,7 @@
 
 #include "sim/dataset/dataset_reader.hpp"
 #include "sim/dataset/hdf5_file.hpp"
+#include "sim/dataset/sha256.hpp"
 #include "tests/check.hpp"
 #include "tests/contains.hpp"
 #include "tests/run_program.hpp"
@@ -138,8 +139,11 @@ TEST_CASE("augment keeps groups, notes what it drew, and does not depend on thre
     }
     CHECK(drawn.size() == 24);  // no two copies alike
     CHECK(contains(bench.run({"show", "b.h5"}).output, "\naugmented: changed copies"));
-    REQUIRE(bench.run({"export", "datasheet", "b.h5"}).status == 0);
-    CHECK(contains(content_of(bench.folder / "DATASHEET.md"), "changed by `specula augment`"));
+    CHECK(contains(done.output, "Beside it b.DATASHEET.md and b.croissant.json\n"));
+    CHECK(contains(content_of(bench.folder / "b.DATASHEET.md"), "changed by `specula augment`"));
+    CHECK(contains(content_of(bench.folder / "b.croissant.json"),
+                   sha256_of_file(bench.folder / "b.h5")));
+    CHECK(contains(content_of(bench.folder / "c.DATASHEET.md"), "# Datasheet of c.h5"));
 }
 
 TEST_CASE("augment takes a recipe, features alone, and says what it cannot do",
@@ -188,6 +192,45 @@ TEST_CASE("augment takes a recipe, features alone, and says what it cannot do",
     CHECK(contains(over.errors, "taken.h5: is there already"));
 }
 
+TEST_CASE("a picture in a format that nobody writes is refused before the file is read",
+          "[program][show]") {
+    const Bench bench;
+    for (const char* name : {"x.jpg", "x.pdf", "deep/x.SVG"}) {
+        const Ended bad = bench.run({"show", "a.h5", "--figure", name});
+        INFO(bad.errors);
+        CHECK(bad.status == 2);
+        CHECK(contains(bad.errors, std::string("--figure ") + name + ": no figure is written as ."));
+        CHECK(bad.output.empty());
+        CHECK_FALSE(std::filesystem::exists(bench.folder / name));
+    }
+    CHECK(bench.run({"show", "plexiglass", "--figure", "x.png"}).status == 2);
+    CHECK(bench.run({"show", "a.h5", "--figure", "v1.2"}).status == 0);  // a folder
+    CHECK(std::filesystem::is_directory(bench.folder / "v1.2"));
+}
+
+TEST_CASE("an output that is a device, or nothing, is refused as such", "[program]") {
+    const Bench bench;
+    for (const std::string command : {"augment", "merge", "generate"}) {
+        std::vector<std::string> arguments{command, command == "generate" ? "paper" : "a.h5"};
+        if (command == "augment") arguments.insert(arguments.end(), {"--step", "gain=1"});
+        auto with_out = [&](const std::string& out) {
+            std::vector<std::string> all = arguments;
+            all.insert(all.end(), {"-o", out});
+            return bench.run(all);
+        };
+        const Ended empty = with_out("");
+        INFO(empty.errors);
+        CHECK(empty.status == 2);
+        CHECK(contains(empty.errors, "--out: is empty; name a file or a folder"));
+        if (command == "merge") continue;  // looks at its inputs first
+        const Ended device = with_out("/dev/full");
+        INFO(device.errors);
+        CHECK(device.status == 2);
+        CHECK(contains(device.errors, "/dev/full: is there, and is no file; give another name"));
+    }
+    CHECK(std::distance(std::filesystem::directory_iterator(bench.folder.path()), {}) == 1);
+}
+
 TEST_CASE("export writes a datasheet and Croissant beside a dataset", "[program][documents]") {
     const Bench bench;
     for (const char* what : {"datasheet", "croissant"}) {
@@ -195,8 +238,8 @@ TEST_CASE("export writes a datasheet and Croissant beside a dataset", "[program]
         INFO(done.errors);
         CHECK(done.status == 0);
     }
-    CHECK(contains(content_of(bench.folder / "DATASHEET.md"), "# Datasheet of a.h5"));
-    CHECK(contains(content_of(bench.folder / "croissant.json"), "\"contentUrl\": \"a.h5\""));
+    CHECK(contains(content_of(bench.folder / "a.DATASHEET.md"), "# Datasheet of a.h5"));
+    CHECK(contains(content_of(bench.folder / "a.croissant.json"), "\"contentUrl\": \"a.h5\""));
     CHECK(bench.run({"export", "croissant", "none.h5"}).status == 2);
 }
 

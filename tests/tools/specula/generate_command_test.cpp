@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "sim/dataset/dataset.hpp"
+#include "sim/dataset/sha256.hpp"
 #include "tests/check.hpp"
 #include "tests/contains.hpp"
 #include "tests/run_program.hpp"
@@ -18,8 +19,9 @@ TEST_CASE("generate says what it will take, writes, and finds its work done the 
     REQUIRE(first.status == 0);
     CHECK(contains(first.output, "192 frames in 1 shards: about "));
     CHECK(contains(first.output, "Wrote a.h5: 192 frames"));
-    CHECK(std::filesystem::exists(folder / "DATASHEET.md"));
-    CHECK(std::filesystem::exists(folder / "croissant.json"));
+    CHECK(contains(first.output, "Beside it a.DATASHEET.md and a.croissant.json\n"));
+    CHECK(std::filesystem::exists(folder / "a.DATASHEET.md"));
+    CHECK(std::filesystem::exists(folder / "a.croissant.json"));
     const std::string fingerprint = first.output.substr(first.output.find("fingerprint "), 28);
     const Dataset made = read_dataset(folder / "a.h5");
     CHECK(made.n_frames() == 192);
@@ -31,6 +33,7 @@ TEST_CASE("generate says what it will take, writes, and finds its work done the 
     CHECK(again.status == 0);
     CHECK(contains(again.output, "Everything was recorded already.\nWrote a.h5: 192 frames"));
     CHECK(contains(again.output, fingerprint));
+    CHECK_FALSE(contains(again.output, "Beside it"));  // they are of these very bytes
 
     std::vector<std::string> other = command;
     other.insert(other.end(), {"--seed", "4"});
@@ -54,6 +57,28 @@ TEST_CASE("shares print the command that merges them, and merge makes the file",
     INFO(merged.errors);
     CHECK(merged.status == 0);
     CHECK(contains(merged.output, "Wrote a.h5: 192 frames of 1 shards"));
+    CHECK(contains(content_of(folder / "a.DATASHEET.md"), "# Datasheet of a.h5"));
+    CHECK(contains(content_of(folder / "a.croissant.json"), sha256_of_file(folder / "a.h5")));
+}
+
+TEST_CASE("the documents of a folder name its shards and their hashes", "[program]") {
+    const TemporaryFolder folder;
+    const std::vector<std::string> command{"generate", "sheets_and_boards", "--worlds", "1", "-o",
+                                           "kept/"};
+    REQUIRE(specula_in(folder.path(), command).status == 0);
+    CHECK(std::filesystem::exists(folder / "kept/DATASHEET.md"));
+    const std::string json = content_of(folder / "kept/croissant.json");
+    for (const std::string name : {"index.h5", "manifest.sha256", "shard-000000.h5"}) {
+        INFO(name);
+        CHECK(contains(json, "\"contentUrl\": \"" + name + "\""));
+        CHECK(contains(json, sha256_of_file(folder / ("kept/" + name))));
+    }
+    // A damaged shard is described no more.
+    std::fstream(folder / "kept/shard-000000.h5", std::ios::in | std::ios::out).seekp(3000).put('X');
+    const Ended bad = specula_in(folder.path(), {"export", "croissant", "kept"});
+    INFO(bad.errors);
+    CHECK(bad.status == 2);
+    CHECK(contains(bad.errors, "kept/"));
 }
 
 TEST_CASE("what generate cannot do is told in one line that says what would do", "[program]") {
