@@ -103,6 +103,9 @@ void check_together(const Descriptor& descriptor, const Words& words) {
         words.fail("unit and log exclude each other");
     if (is_relative && !(normalise.align && normalise.compensate_range))
         words.fail(format("a {} needs align and range", descriptor.extractor));
+    if (descriptor.extractor == "peak_shape" && (descriptor.bins.integration != FW_INTEGRATE_MEAN ||
+                                                 descriptor.bins.path != FW_RANGE_FLOAT))
+        words.fail("a peak_shape is the mean over all rows, in float: no single, exported or hwa");
     if (descriptor.spread && descriptor.looks < 2) words.fail("spread needs looks");
     const BinChoice profile = descriptor.profile();
     if (profile.first > descriptor.bins.first_bin ||

@@ -7,6 +7,7 @@
 #include "classifier/export_c.hpp"
 #include "classifier/folded_model.hpp"
 #include "classifier/integer_model.hpp"
+#include "classifier/peak_shape.hpp"
 #include "firmware/fw_bytes.h"
 #include "firmware/fw_crc32.h"
 #include "sim/core/error.hpp"
@@ -18,6 +19,7 @@ namespace specula {
 namespace {
 
 constexpr std::size_t start_bytes = 16;  // magic, version, reserved, length, CRC
+constexpr std::uint16_t version_of_range_bins = 1, version_with_kinds = 2;
 
 /// Bytes that grow, little-endian.
 class BlobWriter {
@@ -59,6 +61,28 @@ std::string description_of(const Model& model) {
     return model.extractor;
 }
 
+bool is_peak_shape(const Descriptor& descriptor) {
+    return descriptor.extractor == "peak_shape";
+}
+
+void check_descriptor(const Descriptor& descriptor, const fw_extract_config& measured) {
+    if (descriptor.extractor == "relative_profile")
+        throw InputError(
+            format("descriptor = \"{}\": the firmware does not compute it; train on peak_shape, "
+                   "its form for the chip, or export the network alone as --onnx",
+                   descriptor.text()));
+    if (descriptor.unit_energy || descriptor.angle_rx > 0 || descriptor.looks > 1)
+        throw InputError(
+            format("descriptor = \"{}\": the firmware does not compute it; train on range_bins "
+                   "with align, range and log, or export the network alone as --onnx",
+                   descriptor.text()));
+    if (is_peak_shape(descriptor) &&
+        (measured.integration != FW_INTEGRATE_MEAN || measured.path != FW_RANGE_FLOAT))
+        throw InputError(
+            "measurement: a peak_shape is the mean over all rows, in float; use "
+            "integration = \"mean\" and range_fft = \"float\"");
+}
+
 void check(const Model& model) {
     if (!model.measurement)
         throw InputError(
@@ -69,13 +93,7 @@ void check(const Model& model) {
                    "model of specula "
                    "study, or export it as --onnx",
                    description_of(model)));
-    const Descriptor descriptor = descriptor_of(model);
-    if (descriptor.is_relative() || descriptor.unit_energy || descriptor.angle_rx > 0 ||
-        descriptor.looks > 1)
-        throw InputError(
-            format("descriptor = \"{}\": the firmware does not compute it; train on range_bins "
-                   "with align, range and log, or export the network alone as --onnx",
-                   descriptor.text()));
+    check_descriptor(descriptor_of(model), model.measurement->descriptor);
     if (model.n_features() > FW_MODEL_MAX_FEATURES)
         throw InputError(
             format("input_mean = [{} values]: more features than the firmware takes; "
@@ -93,11 +111,12 @@ void check(const Model& model) {
                 format("class_names = \"{}\": does not fit the firmware; use 1 to {} "
                        "bytes",
                        name, FW_MODEL_NAME_BYTES - 1));
-    if (model.measurement->descriptor.n_bins != model.n_features())
+    const std::size_t n_bins = model.measurement->descriptor.n_bins;
+    if ((is_peak_shape(descriptor_of(model)) ? 2 * n_bins + 1 : n_bins) != model.n_features())
         throw InputError(
             format("measurement.n_bins = {}: but the model takes {} features; train "
                    "it again",
-                   model.measurement->descriptor.n_bins, model.n_features()));
+                   n_bins, model.n_features()));
 }
 
 void write_chirp(const fw_chirp& chirp, BlobWriter& out) {
@@ -110,9 +129,20 @@ void write_chirp(const fw_chirp& chirp, BlobWriter& out) {
         out.u16(value);
 }
 
+/// fw_relative's own numbers, in the fields of those of range bins; no step of normalisation.
+void write_shape(const Descriptor& descriptor, BlobWriter& out) {
+    const fw_relative_config shape = shape_config(descriptor);
+    out.u16(0);
+    out.f32(shape.target_bin);
+    out.f32(shape.floor_lsb);
+    out.u16(shape.search_first);
+    out.u16(shape.n_search);
+}
+
 /// Numbers that no step uses are 0, and then the peak is looked for nowhere but in the descriptor.
 void write_normalisation(const Descriptor& descriptor, const fw_extract_config& bins,
                          BlobWriter& out) {
+    if (is_peak_shape(descriptor)) return write_shape(descriptor, out);
     const fw_normalise_config& steps = descriptor.normalise;
     const bool uses_peak = descriptor.uses_peak();
     out.u16(static_cast<std::uint16_t>((steps.align ? 1 : 0) | (steps.compensate_range ? 2 : 0) |
@@ -138,8 +168,8 @@ void write_facts(const Model& model, fw_arithmetic arithmetic, const NetworkFact
     out.u16(static_cast<std::uint16_t>(network.widths.size()));
     out.u16(static_cast<std::uint16_t>(model.n_features()));
     out.u16(static_cast<std::uint16_t>(model.n_classes()));
-    out.u16(0);
-    out.u16(descriptor.first_bin);
+    out.u16(is_peak_shape(descriptor_of(model)) ? FW_FEATURES_PEAK_SHAPE : FW_FEATURES_RANGE_BINS);
+    out.u16(is_peak_shape(descriptor_of(model)) ? 0 : descriptor.first_bin);
     out.u16(descriptor.n_bins);
     out.u16(static_cast<std::uint16_t>(descriptor.window));
     out.u16(static_cast<std::uint16_t>(descriptor.integration));
@@ -212,7 +242,7 @@ std::vector<std::uint8_t> model_blob(const Model& model, fw_arithmetic arithmeti
     }
     BlobWriter out;
     for (const char letter : {'R', 'F', 'W', 'M'}) out.byte(static_cast<std::int8_t>(letter));
-    out.u16(1);
+    out.u16(is_peak_shape(descriptor_of(model)) ? version_with_kinds : version_of_range_bins);
     out.u16(0);
     out.u32(0);
     out.u32(0);

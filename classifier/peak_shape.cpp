@@ -1,6 +1,5 @@
 #include "classifier/peak_shape.hpp"
 
-#include "firmware/fw_relative.h"
 #include "sim/core/error.hpp"
 #include "sim/core/format.hpp"
 #include "sim/parallel.hpp"
@@ -12,6 +11,8 @@ namespace {
 constexpr std::size_t shapes_per_turn = 256;
 constexpr float least_level_lsb = 0.01f;  // below all that noise leaves of a mean over receivers
 
+}  // namespace
+
 fw_relative_config shape_config(const Descriptor& descriptor) {
     const BinChoice search = descriptor.profile();
     return {.search_first = static_cast<std::uint16_t>(search.first),
@@ -21,8 +22,6 @@ fw_relative_config shape_config(const Descriptor& descriptor) {
             .target_bin = descriptor.normalise.target_bin,
             .floor_lsb = least_level_lsb};
 }
-
-}  // namespace
 
 FeatureTable peak_shapes(const Dataset& dataset, const Descriptor& descriptor, int threads) {
     const fw_relative_config config = shape_config(descriptor);

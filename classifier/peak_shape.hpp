@@ -1,8 +1,13 @@
 #pragma once
 
 #include "classifier/descriptor.hpp"
+#include "firmware/fw_relative.h"
 
 namespace specula {
+
+/// What fw_relative is to do, on the host and in a blob.
+/// @in   descriptor  peak_shape
+fw_relative_config shape_config(const Descriptor& descriptor);
 
 /// What the firmware's fw_relative makes of every frame: amplitude and phase around the strongest
 /// echo, relative to it, and its level. relative_profile.hpp has the same idea in double and without

@@ -14,17 +14,26 @@ static size_t network_scratch(const fw_model* model) {
                                                     : fw_int_mlp_scratch(&model->whole);
 }
 
+static fw_frame frame_shape(const fw_model* model) {
+    return (fw_frame){.samples = NULL,
+                      .n_chirps = model->chirp.n_chirps,
+                      .n_rx = model->chirp.n_rx,
+                      .n_samples = model->chirp.n_samples};
+}
+
 static size_t extract_scratch(const fw_model* model) {
-    const fw_frame shape = {.samples = NULL,
-                            .n_chirps = model->chirp.n_chirps,
-                            .n_rx = model->chirp.n_rx,
-                            .n_samples = model->chirp.n_samples};
+    const fw_frame shape = frame_shape(model);
     return fw_extract_scratch(&shape);
 }
 
-/* The profile in which a peak is looked for, then what its extraction or the network needs. */
+/* Of range bins, the profile in which a peak is looked for, then what its extraction or the network
+ * needs. */
 size_t fw_classify_scratch(const fw_model* model) {
     if (model == NULL) return 0;
+    if (model->kind == FW_FEATURES_PEAK_SHAPE) {
+        const fw_frame shape = frame_shape(model);
+        return larger(fw_relative_scratch(&shape), network_scratch(model));
+    }
     return model->n_search * sizeof(float) + larger(extract_scratch(model), network_scratch(model));
 }
 
@@ -47,6 +56,9 @@ static fw_status describe(const fw_model* model, const fw_frame* frame, void* sc
     if (!fw_scratch_fits(scratch, scratch_bytes, fw_classify_scratch(model))) {
         return FW_ERR_SCRATCH;
     }
+    if (model->kind == FW_FEATURES_PEAK_SHAPE) {
+        return fw_relative(frame, &model->shape, scratch, scratch_bytes, features);
+    }
     float* const profile = scratch;
     fw_extract_config wide = model->descriptor;
     wide.first_bin = model->search_first;
@@ -60,7 +72,7 @@ fw_status fw_describe(const fw_model* model, const fw_frame* frame, void* scratc
                       size_t scratch_bytes, float features[]) {
     if (model == NULL || frame == NULL || scratch == NULL || features == NULL) return FW_ERR_NULL;
     if (frame->samples == NULL) return FW_ERR_NULL;
-    uint32_t n_saturated;
+    uint32_t n_saturated = 0;
     return describe(model, frame, scratch, scratch_bytes, features, &n_saturated);
 }
 
@@ -104,6 +116,7 @@ fw_status fw_classify_bins(const fw_model* model, const fw_bins* spectrum, void*
                            size_t scratch_bytes, fw_result* result) {
     if (model == NULL || spectrum == NULL || scratch == NULL || result == NULL) return FW_ERR_NULL;
     if (spectrum->amplitude == NULL) return FW_ERR_NULL;
+    if (model->kind != FW_FEATURES_RANGE_BINS) return FW_ERR_CONFIG;
     const uint32_t end = (uint32_t)spectrum->first_bin + spectrum->n_bins;
     const uint32_t search_end = (uint32_t)model->search_first + model->n_search;
     if (spectrum->first_bin > model->search_first || end < search_end) return FW_ERR_SHAPE;

@@ -19,7 +19,8 @@ extern "C" {
  *
  * features, logits, probabilities  the first n_features or n_classes values count
  * quality      of the samples; all 0 where there were none (fw_classify_bins)
- * n_saturated_bins  fw_extract_counted: what the HWA-like transform cut off; 0 with the float one
+ * n_saturated_bins  fw_extract_counted: what the HWA-like transform cut off; 0 with the float one,
+ *                   and so for peak shapes
  * n_clipped_inputs  fw_int_clipped: features beyond the reach of an integer network; 0 in float32
  * label        class of the largest logit, the first of equals; its probability
  * energy       fw_energy of the logits, nepers
@@ -41,7 +42,8 @@ typedef struct fw_result {
 /* Bytes of scratch fw_classify needs with an opened model; 0 if model is NULL. Time: constant. */
 size_t fw_classify_scratch(const fw_model* model);
 
-/* frame -> result: inspection, descriptor, normalisation, network, softmax, monitors.
+/* frame -> result: inspection, descriptor and normalisation or the peak's shape, network, softmax,
+ * monitors.
  *
  * model    opened by fw_model_open
  * scratch  scratch_bytes >= fw_classify_scratch(model), aligned to 4; contents do not matter
@@ -49,7 +51,8 @@ size_t fw_classify_scratch(const fw_model* model);
  * FW_ERR_NULL       a pointer, or frame->samples, is NULL
  * FW_ERR_GEOMETRY   the frame has another shape than the model's
  * FW_ERR_SCRATCH    scratch too small or misaligned
- * FW_ERR_NONFINITE  a logit is beyond the range of float: no frame like those trained on
+ * FW_ERR_NONFINITE  a logit is beyond the range of float: no frame like those trained on; or, for
+ *                   peak shapes, a row without any echo, as a dead one is (fw_relative)
  * Time: the sum of its stages, all bounded by the model's counts. */
 fw_status fw_classify(const fw_model* model, const fw_frame* frame, void* scratch,
                       size_t scratch_bytes, fw_result* result);
@@ -70,6 +73,7 @@ size_t fw_classify_bins_scratch(const fw_model* model);
  * rest. Where bins may have been cut off, the caller must say so to fw_drift_update itself.
  *
  * FW_ERR_NULL       a pointer, or spectrum->amplitude, is NULL
+ * FW_ERR_CONFIG     the model sees the shape of the peak: amplitudes do not tell its phases
  * FW_ERR_SHAPE      the spectrum does not hold the model's bins
  * FW_ERR_SCRATCH    scratch too small or misaligned
  * FW_ERR_NONFINITE  an amplitude is infinite, NaN or so large that a result would be; or a logit
@@ -80,10 +84,12 @@ fw_status fw_classify_bins(const fw_model* model, const fw_bins* spectrum, void*
 /* frame -> features, the first half of fw_classify, for those who time or replace it.
  *
  * scratch   scratch_bytes >= fw_classify_scratch(model), aligned to 4; contents do not matter
- * features  out: (model->n_features), LSB, or nepers with model->normalise.logarithm
+ * features  out: (model->n_features), LSB, or nepers with model->normalise.logarithm; for peak
+ *           shapes as fw_relative gives them
  *
  * FW_ERR_NULL, FW_ERR_GEOMETRY, FW_ERR_SCRATCH  as fw_classify
- * Time: fw_extract of n_search bins, then fw_normalise. */
+ * FW_ERR_NONFINITE  peak shapes alone: a row without any echo
+ * Time: fw_extract of n_search bins, then fw_normalise; or fw_relative. */
 fw_status fw_describe(const fw_model* model, const fw_frame* frame, void* scratch,
                       size_t scratch_bytes, float features[]);
 

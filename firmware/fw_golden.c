@@ -22,6 +22,14 @@ const uint32_t fw_golden_profile[12] = {
     0x41db19b9u, 0x42bb7f03u, 0x4386ee21u, 0x43822294u, 0x42a9e1beu, 0x4088780au,
 };
 
+const uint32_t fw_golden_shape[25] = {
+    0xba944fe4u, 0xb92fc58du, 0xbc291a6bu, 0x3ce13a86u, 0xbd109b42u, 0x3dc4cd93u,
+    0xbd58c9c8u, 0x3df9f068u, 0x3dce7c8eu, 0x3d67c7a7u, 0x3f1e40f2u, 0xbb90d13cu,
+    0x3f800000u, 0x00000000u, 0x3f272846u, 0x3c7f14e3u, 0x3e074c47u, 0x3c018294u,
+    0xbc1d4acfu, 0x39d0820au, 0x39b731abu, 0x3989fd6cu, 0x39932130u, 0x3a703a9au,
+    0x40bc73b4u,
+};
+
 const int16_t fw_golden_im_re[24] = {
     -2, 1, 0, 0, -3, 1, 10, 11, -75, -101, 151, 210,
     -81, -165, -592, 195, 1730, -491, -1657, 515, 536, -183, -25, 11,

@@ -14,6 +14,8 @@ extern "C" {
 
 #define FW_GOLDEN_N_SAMPLES 128
 #define FW_GOLDEN_N_IN 12
+#define FW_GOLDEN_N_AROUND 12
+#define FW_GOLDEN_N_SHAPE (2 * FW_GOLDEN_N_AROUND + 1)
 #define FW_GOLDEN_N_HIDDEN 6
 #define FW_GOLDEN_N_OUT 5
 #define FW_GOLDEN_N_SUBNORMAL 2
@@ -26,6 +28,9 @@ extern const int16_t fw_golden_chirp[FW_GOLDEN_N_SAMPLES];
 /* Bins 6..17 through a Blackman window: amplitudes, and (bin, 2) of fw_hwa_fft. */
 extern const uint32_t fw_golden_profile[FW_GOLDEN_N_IN];
 extern const int16_t fw_golden_im_re[2 * FW_GOLDEN_N_IN];
+
+/* The shape of the strongest peak of bins 4..23, level at bin 11.5. */
+extern const uint32_t fw_golden_shape[FW_GOLDEN_N_SHAPE];
 
 /* A network 12-6-5 on (amplitude - 4) / 16: whole weights, (out, in), and biases, of the first
  * layer and then of the second; in float each counts 1/512. Its integer forms use the weights as

@@ -10,7 +10,8 @@
 /* Arrays of the blob are used in place. */
 _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "models are little-endian");
 
-#define VERSION 1
+#define VERSION_RANGE_BINS 1
+#define VERSION_PEAK_SHAPE 2
 #define START_BYTES 16 /* magic, version, reserved, length, CRC */
 #define FACTS_BYTES 84
 #define MIN_BYTES (START_BYTES + FACTS_BYTES)
@@ -22,7 +23,9 @@ static fw_status check_start(const uint8_t* bytes, size_t n_bytes) {
     if ((uintptr_t)bytes % sizeof(float) != 0) return FW_ERR_ALIGNMENT;
     if (n_bytes < sizeof magic || memcmp(bytes, magic, sizeof magic) != 0) return FW_ERR_MAGIC;
     if (n_bytes < MIN_BYTES) return FW_ERR_LENGTH;
-    if (fw_read_u16(bytes + 4) != VERSION || fw_read_u16(bytes + 6) != 0) return FW_ERR_VERSION;
+    const uint16_t version = fw_read_u16(bytes + 4);
+    const bool is_known = version == VERSION_RANGE_BINS || version == VERSION_PEAK_SHAPE;
+    if (!is_known || fw_read_u16(bytes + 6) != 0) return FW_ERR_VERSION;
     if (fw_read_u32(bytes + 8) != n_bytes) return FW_ERR_LENGTH;
     const uint32_t crc = fw_crc32(bytes + START_BYTES, n_bytes - START_BYTES);
     return fw_read_u32(bytes + 12) == crc ? FW_OK : FW_ERR_CHECKSUM;
@@ -56,6 +59,34 @@ static bool bins_fit(const fw_model* model) {
            search_last <= n_spectrum && (uses_peak || same);
 }
 
+/* A blob has one form: what version 1 can say is said in version 1, whose field of the kind was
+ * reserved. */
+static fw_status check_kind(uint16_t version, uint16_t kind) {
+    if (version == VERSION_RANGE_BINS) return kind == 0 ? FW_OK : FW_ERR_CONFIG;
+    if (kind == FW_FEATURES_RANGE_BINS) return FW_ERR_VERSION;
+    return kind == FW_FEATURES_PEAK_SHAPE ? FW_OK : FW_ERR_CONFIG;
+}
+
+/* Amplitudes of bins that exist, and no number that nothing uses. */
+static fw_status check_range_bins(const fw_model* model, const uint8_t* facts) {
+    if (!fw_normalise_valid(&model->normalise) || !bins_fit(model)) return FW_ERR_CONFIG;
+    const bool uses_peak = model->normalise.align || model->normalise.compensate_range;
+    if (!uses_peak && fw_read_u32(facts + 24) != 0) return FW_ERR_VALUE; /* unused, so zero bits */
+    if (!model->normalise.logarithm && fw_read_u32(facts + 28) != 0) return FW_ERR_VALUE;
+    return FW_OK;
+}
+
+static fw_status check_peak_shape(const fw_model* model, const uint8_t* facts) {
+    if (fw_read_u16(facts + 12) != 0 || fw_read_u16(facts + 22) != 0) return FW_ERR_CONFIG;
+    if (model->descriptor.integration != FW_INTEGRATE_MEAN) return FW_ERR_CONFIG;
+    if (model->descriptor.path != FW_RANGE_FLOAT) return FW_ERR_CONFIG;
+    const fw_frame frame = {.samples = NULL,
+                            .n_chirps = model->chirp.n_chirps,
+                            .n_rx = model->chirp.n_rx,
+                            .n_samples = model->chirp.n_samples};
+    return fw_relative_check(&frame, &model->shape);
+}
+
 /* Choices that exist, of bins that exist; enumerations are compared as the numbers they came as. */
 static fw_status check_choices(const fw_model* model, const uint8_t* facts) {
     if (fw_read_u16(facts) > FW_ARITHMETIC_INT8) return FW_ERR_CONFIG;
@@ -63,40 +94,61 @@ static fw_status check_choices(const fw_model* model, const uint8_t* facts) {
     if (fw_read_u16(facts + 18) > FW_INTEGRATE_EXPORTED) return FW_ERR_CONFIG;
     if (fw_read_u16(facts + 20) > FW_RANGE_HWA_LIKE) return FW_ERR_CONFIG;
     if (fw_read_u16(facts + 22) > 7) return FW_ERR_CONFIG; /* align, compensate, logarithm */
-    const bool reserved_zero = fw_read_u16(facts + 10) == 0 && fw_read_u16(facts + 70) == 0 &&
-                               fw_read_u32(facts + 80) == 0;
-    if (!reserved_zero) return FW_ERR_CONFIG;
-    if (!fw_normalise_valid(&model->normalise) || !bins_fit(model)) return FW_ERR_CONFIG;
-    const bool uses_peak = model->normalise.align || model->normalise.compensate_range;
-    if (!uses_peak && fw_read_u32(facts + 24) != 0) return FW_ERR_VALUE; /* unused, so zero bits */
-    if (!model->normalise.logarithm && fw_read_u32(facts + 28) != 0) return FW_ERR_VALUE;
+    if (fw_read_u16(facts + 70) != 0 || fw_read_u32(facts + 80) != 0) return FW_ERR_CONFIG;
+    const fw_status refused = model->kind == FW_FEATURES_PEAK_SHAPE
+                                  ? check_peak_shape(model, facts)
+                                  : check_range_bins(model, facts);
+    if (refused != FW_OK) return refused;
     fw_window_shape shape;
     return fw_window_find((fw_window)fw_read_u16(facts + 16), model->chirp.n_samples, &shape);
 }
 
-static fw_status read_facts(const uint8_t* facts, fw_model* model) {
+/* What is made of a frame: the fields that both kinds share, and of the rest those of its own. */
+static void read_features(const uint8_t* facts, fw_model* model) {
     const uint16_t steps = fw_read_u16(facts + 22);
-    read_chirp(facts + 36, &model->chirp);
-    if (!chirp_in_range(&model->chirp)) return FW_ERR_SHAPE;
-    model->arithmetic = (fw_arithmetic)fw_read_u16(facts);
-    model->has_monitor = fw_read_u16(facts + 2) == 1;
-    model->n_features = fw_read_u16(facts + 6);
-    model->n_classes = fw_read_u16(facts + 8);
+    const float target_bin = fw_read_f32(facts + 24), floor_lsb = fw_read_f32(facts + 28);
     model->descriptor = (fw_extract_config){.first_bin = fw_read_u16(facts + 12),
                                             .n_bins = fw_read_u16(facts + 14),
                                             .window = (fw_window)fw_read_u16(facts + 16),
                                             .integration = (fw_integration)fw_read_u16(facts + 18),
                                             .path = (fw_range_path)fw_read_u16(facts + 20)};
+    model->search_first = fw_read_u16(facts + 32);
+    model->n_search = fw_read_u16(facts + 34);
+    if (model->kind == FW_FEATURES_PEAK_SHAPE) {
+        model->shape = (fw_relative_config){.search_first = model->search_first,
+                                            .n_search = model->n_search,
+                                            .n_around = model->descriptor.n_bins,
+                                            .window = model->descriptor.window,
+                                            .target_bin = target_bin,
+                                            .floor_lsb = floor_lsb};
+        model->descriptor.first_bin = model->search_first;
+        model->descriptor.n_bins = model->n_search;
+        return;
+    }
     model->normalise = (fw_normalise_config){.align = (steps & 1u) != 0,
                                              .compensate_range = (steps & 2u) != 0,
                                              .logarithm = (steps & 4u) != 0,
-                                             .target_bin = fw_read_f32(facts + 24),
-                                             .floor_lsb = fw_read_f32(facts + 28)};
-    model->search_first = fw_read_u16(facts + 32);
-    model->n_search = fw_read_u16(facts + 34);
+                                             .target_bin = target_bin,
+                                             .floor_lsb = floor_lsb};
+}
+
+static size_t feature_count(const fw_model* model) {
+    return model->kind == FW_FEATURES_PEAK_SHAPE ? fw_relative_features(&model->shape)
+                                                 : model->descriptor.n_bins;
+}
+
+static fw_status read_facts(const uint8_t* facts, fw_model* model) {
+    read_chirp(facts + 36, &model->chirp);
+    if (!chirp_in_range(&model->chirp)) return FW_ERR_SHAPE;
+    model->kind = (fw_feature_kind)fw_read_u16(facts + 10);
+    model->arithmetic = (fw_arithmetic)fw_read_u16(facts);
+    model->has_monitor = fw_read_u16(facts + 2) == 1;
+    model->n_features = fw_read_u16(facts + 6);
+    model->n_classes = fw_read_u16(facts + 8);
+    read_features(facts, model);
     const fw_status refused = check_choices(model, facts);
     if (refused != FW_OK) return refused;
-    if (model->n_features != model->descriptor.n_bins || model->n_classes == 0) return FW_ERR_SHAPE;
+    if (model->n_features != feature_count(model) || model->n_classes == 0) return FW_ERR_SHAPE;
     if (model->n_features > FW_MODEL_MAX_FEATURES) return FW_ERR_SHAPE;
     return model->n_classes <= FW_MODEL_MAX_CLASSES ? FW_OK : FW_ERR_SHAPE;
 }
@@ -109,6 +161,8 @@ fw_status fw_model_open(const void* blob, size_t n_bytes, fw_model* model) {
 
     fw_model opened = {0};
     const uint8_t* const facts = bytes + START_BYTES;
+    const fw_status wrong_kind = check_kind(fw_read_u16(bytes + 4), fw_read_u16(facts + 10));
+    if (wrong_kind != FW_OK) return wrong_kind;
     const fw_status wrong_facts = read_facts(facts, &opened);
     if (wrong_facts != FW_OK) return wrong_facts;
     const fw_model_widths widths = {.n_layers = fw_read_u16(facts + 4),

@@ -12,14 +12,15 @@
 #include "fw_mlp.h"
 #include "fw_monitor.h"
 #include "fw_normalise.h"
+#include "fw_relative.h"
 #include "fw_status.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/* The model blob, version 1: everything a trained classifier needs, in one block of bytes that is
- * used where it lies (MODEL_FORMAT.md). */
+/* The model blob, versions 1 and 2: everything a trained classifier needs, in one block of bytes
+ * that is used where it lies (MODEL_FORMAT.md). */
 
 #define FW_MODEL_MAX_CLASSES 16
 #define FW_MODEL_MAX_FEATURES 64
@@ -46,16 +47,27 @@ typedef enum fw_arithmetic {
     FW_ARITHMETIC_INT8,
 } fw_arithmetic;
 
+/* What the numbers are that the network sees. */
+typedef enum fw_feature_kind {
+    FW_FEATURES_RANGE_BINS, /* amplitudes by fw_extract, then fw_normalise; blobs of version 1 */
+    FW_FEATURES_PEAK_SHAPE, /* 2 n_around + 1 numbers by fw_relative; blobs of version 2 */
+} fw_feature_kind;
+
 /* An opened blob: counts copied, arrays borrowed. Which of `real` and `whole` is set, `arithmetic`
  * says. With `align` or `compensate_range` the peak is looked for in search_first .. search_first +
- * n_search - 1; without, those are the bins of the descriptor. */
+ * n_search - 1; without, those are the bins of the descriptor.
+ *
+ * A peak shape is taken as `shape` says, and nothing is normalised. Its descriptor is the profile in
+ * which the peak is looked for, over all rows and by the float transform, for those who show it. */
 typedef struct fw_model {
+    fw_feature_kind kind;
     fw_arithmetic arithmetic;
     uint16_t n_features, n_classes;
     fw_chirp chirp;
     fw_extract_config descriptor;
     fw_normalise_config normalise;
     uint16_t search_first, n_search;
+    fw_relative_config shape; /* all 0 for range bins */
     fw_mlp real;
     fw_int_mlp whole;
     bool has_monitor;
@@ -71,7 +83,7 @@ typedef struct fw_model {
  * FW_ERR_NULL       a pointer is NULL
  * FW_ERR_ALIGNMENT  blob is not aligned to 4
  * FW_ERR_MAGIC      the bytes do not begin as a model
- * FW_ERR_VERSION    another version than 1
+ * FW_ERR_VERSION    another version than 1 and 2, or not the one that its kind of features asks for
  * FW_ERR_LENGTH     n_bytes is not what the header says, or not what the counts ask for
  * FW_ERR_CHECKSUM   the CRC-32 is wrong
  * FW_ERR_CONFIG     a choice that does not exist, or bins beyond the spectrum

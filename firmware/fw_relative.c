@@ -6,6 +6,7 @@
 #include <stdbool.h>
 
 #include "fw_fft.h"
+#include "fw_finite.h"
 #include "fw_log.h"
 #include "fw_range_profile.h"
 #include "fw_scratch.h"
@@ -33,10 +34,18 @@ size_t fw_relative_features(const fw_relative_config* config) {
     return config == NULL ? 0 : 2 * (size_t)config->n_around + 1;
 }
 
-size_t fw_relative_scratch(const fw_frame* frame) {
+/* Sums over rows: on the stack they would be the deepest below fw_classify. */
+#define SHAPE_BYTES (2 * FW_RELATIVE_MAX_AROUND * sizeof(float))
+
+static size_t spectrum_bytes(const fw_frame* frame) {
     if (frame == NULL || frame->n_chirps == 0 || frame->n_rx == 0) return 0;
     if (!is_power_of_two(frame->n_samples)) return 0;
     return fw_range_profile_scratch(frame->n_samples);
+}
+
+size_t fw_relative_scratch(const fw_frame* frame) {
+    const size_t n_bytes = spectrum_bytes(frame);
+    return n_bytes == 0 ? 0 : n_bytes + SHAPE_BYTES;
 }
 
 static complex_value bin_at(const spectrum* s, int32_t index) {
@@ -120,26 +129,40 @@ static bool valid(const fw_relative_config* config, int32_t n_bins) {
            positive(config->target_bin) && positive(config->floor_lsb);
 }
 
+fw_status fw_relative_check(const fw_frame* frame, const fw_relative_config* config) {
+    if (frame == NULL || config == NULL) return FW_ERR_NULL;
+    if (spectrum_bytes(frame) == 0) return FW_ERR_SHAPE;
+    fw_window_shape window;
+    const fw_status found = fw_window_find(config->window, frame->n_samples, &window);
+    if (found != FW_OK) return found;
+    return valid(config, frame->n_samples / 2) ? FW_OK : FW_ERR_CONFIG;
+}
+
 fw_status fw_relative(const fw_frame* frame, const fw_relative_config* config, void* scratch,
                       size_t scratch_bytes, float out[]) {
     if (frame == NULL || config == NULL || scratch == NULL || out == NULL) return FW_ERR_NULL;
     if (frame->samples == NULL) return FW_ERR_NULL;
-    const size_t needed_bytes = fw_relative_scratch(frame);
-    if (needed_bytes == 0) return FW_ERR_SHAPE;
+    const fw_status refused = fw_relative_check(frame, config);
+    if (refused != FW_OK) return refused;
+    if (!fw_scratch_fits(scratch, scratch_bytes, fw_relative_scratch(frame))) {
+        return FW_ERR_SCRATCH;
+    }
     fw_window_shape window;
-    const fw_status found = fw_window_find(config->window, frame->n_samples, &window);
-    if (found != FW_OK) return found;
+    (void)fw_window_find(config->window, frame->n_samples, &window);
     spectrum s = {.bins = scratch, .n_bins = frame->n_samples / 2};
-    if (!valid(config, s.n_bins)) return FW_ERR_CONFIG;
-    if (!fw_scratch_fits(scratch, scratch_bytes, needed_bytes)) return FW_ERR_SCRATCH;
 
     const size_t n_shape = 2 * (size_t)config->n_around;
     const uint32_t n_rows = (uint32_t)frame->n_chirps * frame->n_rx;
-    float shape[2 * FW_RELATIVE_MAX_AROUND] = {0.0f}; /* out stays untouched on an error */
+    /* out stays untouched on an error */
+    float* const shape = (float*)scratch + spectrum_bytes(frame) / sizeof(float);
+    for (size_t k = 0; k < n_shape; ++k) shape[k] = 0.0f;
     float level = 0.0f;
     for (uint32_t row = 0; row < n_rows; ++row) {
         transform(&window, frame->samples + (size_t)row * frame->n_samples, &s);
         if (!add_row(&s, config, shape, &level)) return FW_ERR_NONFINITE;
+    }
+    if (!fw_all_finite(shape, (uint16_t)n_shape) || !fw_all_finite(&level, 1)) {
+        return FW_ERR_NONFINITE;
     }
     for (size_t k = 0; k < n_shape; ++k) out[k] = shape[k] / (float)n_rows;
     level *= 2.0f / window.sum / (float)n_rows;

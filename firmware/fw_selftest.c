@@ -9,6 +9,7 @@
 #include "fw_int_mlp.h"
 #include "fw_mlp.h"
 #include "fw_range_profile.h"
+#include "fw_relative.h"
 #include "fw_scratch.h"
 #include "fw_softmax.h"
 #include "fw_strict_float.h"
@@ -35,6 +36,21 @@ static bool check_profile(void* scratch, size_t scratch_bytes) {
                                     .window = FW_WINDOW_BLACKMAN};
     return fw_range_profile(fw_golden_chirp, &config, scratch, scratch_bytes, features) == FW_OK &&
            same_bits(features, fw_golden_profile, N_IN);
+}
+
+static const fw_frame golden_frame = {
+    .samples = fw_golden_chirp, .n_chirps = 1, .n_rx = 1, .n_samples = FW_GOLDEN_N_SAMPLES};
+
+static bool check_shape(void* scratch, size_t scratch_bytes) {
+    float shape[FW_GOLDEN_N_SHAPE];
+    const fw_relative_config config = {.search_first = 4,
+                                       .n_search = 20,
+                                       .n_around = FW_GOLDEN_N_AROUND,
+                                       .window = FW_WINDOW_BLACKMAN,
+                                       .target_bin = 11.5f,
+                                       .floor_lsb = 0.01f};
+    return fw_relative(&golden_frame, &config, scratch, scratch_bytes, shape) == FW_OK &&
+           same_bits(shape, fw_golden_shape, FW_GOLDEN_N_SHAPE);
 }
 
 static bool check_hwa_like(void* scratch, size_t scratch_bytes) {
@@ -150,7 +166,8 @@ static size_t larger(size_t a, size_t b) {
 }
 
 size_t fw_selftest_scratch(void) {
-    return larger(fw_hwa_fft_scratch(FW_GOLDEN_N_SAMPLES),
+    return larger(larger(fw_hwa_fft_scratch(FW_GOLDEN_N_SAMPLES),
+                         fw_relative_scratch(&golden_frame)),
                   larger(sizeof(real_room), sizeof(whole_room)));
 }
 
@@ -160,6 +177,7 @@ fw_status fw_selftest(void* scratch, size_t scratch_bytes, fw_selftest_report* r
     static const uint8_t digits[9] = {'1', '2', '3', '4', '5', '6', '7', '8', '9'};
     fw_selftest_report found = {.checksum = fw_crc32(digits, sizeof digits) == 0xCBF43926u};
     found.profile = check_profile(scratch, scratch_bytes);
+    found.shape = check_shape(scratch, scratch_bytes);
     found.hwa_like = check_hwa_like(scratch, scratch_bytes);
     found.network = check_real(scratch);
     found.network = check_whole(scratch, FW_INT16, fw_golden_logits_int16) && found.network;
@@ -168,7 +186,7 @@ fw_status fw_selftest(void* scratch, size_t scratch_bytes, fw_selftest_report* r
     found.subnormal = check_subnormal(scratch);
 
     *report = found;
-    const bool all = found.checksum && found.profile && found.hwa_like && found.network &&
-                     found.softmax && found.subnormal;
+    const bool all = found.checksum && found.profile && found.shape && found.hwa_like &&
+                     found.network && found.softmax && found.subnormal;
     return all ? FW_OK : FW_ERR_SELF_TEST;
 }

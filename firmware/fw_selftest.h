@@ -17,6 +17,7 @@ extern "C" {
 typedef struct fw_selftest_report {
     bool checksum;  /* fw_crc32 of its standard test string */
     bool profile;   /* float range profile of the stored chirp */
+    bool shape;     /* shape of its peak */
     bool hwa_like;  /* fixed-point transform of the same */
     bool network;   /* logits in float, int16 and int8 */
     bool softmax;   /* probabilities of those logits */
@@ -35,7 +36,7 @@ size_t fw_selftest_scratch(void);
  * FW_ERR_NULL       a pointer is NULL
  * FW_ERR_SCRATCH    scratch too small or misaligned
  * FW_ERR_SELF_TEST  a part of the report is false
- * Time: two transforms of 128 samples and four small networks. */
+ * Time: three transforms of 128 samples and four small networks. */
 fw_status fw_selftest(void* scratch, size_t scratch_bytes, fw_selftest_report* report);
 
 #ifdef __cplusplus

@@ -12,6 +12,7 @@ import math
 import struct
 
 N, FIRST, BINS = 128, 6, 12
+SEARCH_FIRST, SEARCH, AROUND, TARGET, FLOOR = 4, 20, 12, 11.5, 0.01
 HIDDEN, OUT, SHIFT, LEVELS = 6, 5, 40, 16.0
 
 
@@ -56,21 +57,94 @@ def fft_float(z):  # of pairs
     return out
 
 
-def profile(codes):
+def spectrum(codes, bins):
+    """(re, im) of bins below n/4: the first half of each split."""
     x = [f32(window(min(i, N - 1 - i)) * codes[i]) for i in range(N)]
     z = fft_float(list(zip(x[0::2], x[1::2])))
-    total = f32(math.fsum(math.sin(math.pi * i / (N - 1)) ** 2 * (0.36 + 0.64 * math.sin(math.pi * i / (N - 1)) ** 2) for i in range(N)))
-    scale, out = f32(2.0 / total), []
-    for k in range(FIRST, FIRST + BINS):  # all below n/4: the first half of each split
+    values = []
+    for k in bins:
         (a0, a1), (b0, b1), (wr, wi) = z[k], z[N // 2 - k], twiddle(k * 1024 // N)
         even_re, even_im = f32(0.5 * f32(a0 + b0)), f32(0.5 * f32(a1 - b1))
         odd_re, odd_im = f32(0.5 * f32(a1 + b1)), f32(0.5 * f32(b0 - a0))
         re = f32(even_re + f32(f32(wr * odd_re) - f32(wi * odd_im)))
         im = f32(even_im + f32(f32(wr * odd_im) + f32(wi * odd_re)))
-        out.append(f32(f32(math.sqrt(f32(f32(re * re) + f32(im * im)))) * scale))
-        exact = sum(window(min(i, N - 1 - i)) * codes[i] * cmath.exp(-2j * math.pi * i * k / N) for i in range(N))
-        assert abs(out[-1] - abs(exact) * 2 / total) < 2e-4, (k, out[-1], abs(exact) * 2 / total)
+        values.append((re, im))
+    return values
+
+
+def exact_bin(codes, k):
+    return sum(window(min(i, N - 1 - i)) * codes[i] * cmath.exp(-2j * math.pi * i * k / N) for i in range(N))
+
+
+def magnitude(re, im):
+    return f32(math.sqrt(f32(f32(re * re) + f32(im * im))))
+
+
+def window_sum():
+    return f32(math.fsum(math.sin(math.pi * i / (N - 1)) ** 2 * (0.36 + 0.64 * math.sin(math.pi * i / (N - 1)) ** 2) for i in range(N)))
+
+
+def profile(codes):
+    scale, out = f32(2.0 / window_sum()), []
+    bins = range(FIRST, FIRST + BINS)
+    for k, (re, im) in zip(bins, spectrum(codes, bins)):
+        out.append(f32(magnitude(re, im) * scale))
+        exact = abs(exact_bin(codes, k)) * 2 / window_sum()
+        assert abs(out[-1] - exact) < 2e-4, (k, out[-1], exact)
     return out
+
+
+def cubic(a, b, c, d, t):
+    slope = f32(0.5 * f32(c - a))
+    square = f32(f32(f32(a - f32(2.5 * b)) + f32(2.0 * c)) - f32(0.5 * d))
+    cube = f32(f32(0.5 * f32(d - a)) + f32(1.5 * f32(b - c)))
+    return f32(b + f32(t * f32(slope + f32(t * f32(square + f32(t * cube))))))
+
+
+def logarithm(x):
+    sqrt_half = 0x3F3504F3
+    shifted = bits(x) + (0x3F800000 - sqrt_half)
+    f = f32(struct.unpack("<f", struct.pack("<I", (shifted & 0x7FFFFF) + sqrt_half))[0] - 1.0)
+    s = f32(f / f32(2.0 + f))
+    s2, tail = f32(s * s), f32(2.0 / 9.0)
+    for term in (7.0, 5.0, 3.0):
+        tail = f32(f32(tail * s2) + f32(2.0 / term))
+    near = f32(f - f32(s * f32(f - f32(s2 * tail))))
+    exponent = (shifted >> 23) - 127
+    result = f32(f32(exponent * 0.693359375) + f32(f32(exponent * f32(-2.12194440e-4)) + near))
+    assert abs(result - math.log(x)) <= 2e-7 * max(1.0, abs(math.log(x)))
+    return result
+
+
+def shape(codes):
+    """Bins around the strongest, over it, and its level: one row."""
+    held = range(1, N // 4)
+    bin_at = {k: (-re, -im) if k % 2 else (re, im) for k, (re, im) in zip(held, spectrum(codes, held))}
+    sizes = {k: magnitude(*bin_at[k]) for k in held}
+    top = max(range(SEARCH_FIRST, SEARCH_FIRST + SEARCH), key=lambda k: sizes[k])
+    bend = f32(f32(sizes[top - 1] - f32(2.0 * sizes[top])) + sizes[top + 1])
+    peak = f32(top + f32(f32(0.5 * f32(sizes[top - 1] - sizes[top + 1])) / bend))
+
+    def value_at(place):
+        index, t = int(place), f32(place - int(place))
+        four = [bin_at[index + k] for k in (-1, 0, 1, 2)]
+        return tuple(cubic(*(value[part] for value in four), t) for part in (0, 1))
+
+    def exact_at(place):  # the same interpolation of the exact transform, in double
+        index, t = int(place), place - int(place)
+        a, b, c, d = ((-1) ** (index + k) * exact_bin(codes, index + k) for k in (-1, 0, 1, 2))
+        return b + t * (0.5 * (c - a) + t * (a - 2.5 * b + 2 * c - 0.5 * d + t * (0.5 * (d - a) + 1.5 * (b - c))))
+
+    (re, im), out = value_at(peak), []
+    square = f32(f32(re * re) + f32(im * im))
+    for k in range(AROUND):
+        place = f32(f32(peak - AROUND // 2) + k)
+        a, b = value_at(place)
+        out.append(f32(f32(f32(a * re) + f32(b * im)) / square))
+        out.append(f32(f32(f32(b * re) - f32(a * im)) / square))
+        assert abs(complex(*out[-2:]) - exact_at(place) / exact_at(peak)) < 2e-5, k
+    level = f32(f32(f32(math.sqrt(square)) * peak) / TARGET)
+    return out + [logarithm(max(FLOOR, f32(level * f32(2.0 / window_sum()))))]
 
 
 def to_even(numerator, shift):
@@ -210,6 +284,7 @@ def main():
     print("/* clang-format off */")
     emit(f"const int16_t fw_golden_chirp[{N}]", codes)
     emit_floats("fw_golden_profile", features)
+    emit_floats("fw_golden_shape", shape(codes))
     emit(f"const int16_t fw_golden_im_re[{2 * BINS}]", hwa_like(codes))
     emit(f"const int8_t fw_golden_weight[{len(W0 + W1)}]", W0 + W1)
     emit(f"const int32_t fw_golden_bias[{HIDDEN + OUT}]", B0 + B1)

@@ -1,9 +1,11 @@
 #include <cmath>
 #include <cstring>
 
+#include "firmware/fw_classify.h"
 #include "sim/core/error.hpp"
 #include "tests/check.hpp"
 #include "tests/classifier/whole_model.hpp"
+#include "tests/firmware/oracle.hpp"
 #include "tests/message_of.hpp"
 
 // Every rule of firmware/MODEL_FORMAT.md that a blob with a right checksum can still break.
@@ -101,6 +103,86 @@ TEST_CASE("a normalisation goes into the blob and comes out of it", "[blob]") {
     REQUIRE(fw_model_open(log_only.data(), log_only.size(), &opened) == FW_OK);
     CHECK(opened.search_first == 6);
     CHECK(opened.n_search == 12);
+}
+
+TEST_CASE("the shape of a peak goes into a blob of version 2 and comes out of it", "[blob]") {
+    const auto arithmetic = GENERATE(FW_ARITHMETIC_FLOAT, FW_ARITHMETIC_INT16, FW_ARITHMETIC_INT8);
+    const Blob blob = model_blob(shape_model(), arithmetic);
+    CHECK(fw_read_u16(blob.data() + 4) == 2);
+    fw_model opened;
+    REQUIRE(fw_model_open(blob.data(), blob.size(), &opened) == FW_OK);
+    CHECK(opened.kind == FW_FEATURES_PEAK_SHAPE);
+    CHECK(opened.n_features == 25);
+    CHECK(opened.shape.search_first == 4);
+    CHECK(opened.shape.n_search == 20);
+    CHECK(opened.shape.n_around == 12);
+    CHECK(opened.shape.window == FW_WINDOW_BLACKMAN);
+    CHECK(opened.shape.target_bin == 11.5f);
+    CHECK(opened.shape.floor_lsb == 0.01f);
+    CHECK_FALSE(opened.normalise.align);
+}
+
+TEST_CASE("what the first version can say is said in it, in the bytes that it always had",
+          "[blob]") {
+    const Blob bins = model_blob(whole_model(), FW_ARITHMETIC_FLOAT);
+    CHECK(fw_read_u16(bins.data() + 4) == 1);
+    CHECK(fw_read_u16(bins.data() + 26) == 0);  // reserved there
+    const Blob shape = model_blob(shape_model(), FW_ARITHMETIC_FLOAT);
+    const auto with = [](Blob blob, std::size_t at, std::uint16_t value) {
+        fw_write_u16(blob.data() + at, value);
+        return open_status(resealed(blob));
+    };
+    CHECK(with(bins, 4, 2) == FW_ERR_VERSION);  // a later form of the same
+    CHECK(with(bins, 4, 3) == FW_ERR_VERSION);
+    CHECK(with(shape, 4, 1) == FW_ERR_CONFIG);  // as programs of version 1 refuse a reserved field
+    CHECK(with(shape, 26, 0) == FW_ERR_VERSION);
+    CHECK(with(shape, 26, 2) == FW_ERR_CONFIG);
+}
+
+TEST_CASE("a peak's shape has numbers of its own, and no others", "[blob]") {
+    const Blob good = model_blob(shape_model(), FW_ARITHMETIC_FLOAT);
+    REQUIRE(open_status(good) == FW_OK);
+    const auto with = [&](std::size_t at, std::uint16_t value) {
+        Blob blob = good;
+        fw_write_u16(blob.data() + at, value);
+        return open_status(resealed(blob));
+    };
+    CHECK(with(22, 24) == FW_ERR_SHAPE);   // not 2 bins + 1
+    CHECK(with(28, 6) == FW_ERR_CONFIG);   // a first bin: nothing uses it
+    CHECK(with(30, 32) == FW_ERR_CONFIG);  // more bins than fw_relative takes
+    CHECK(with(30, 11) == FW_ERR_SHAPE);
+    CHECK(with(34, FW_INTEGRATE_SINGLE) == FW_ERR_CONFIG);
+    CHECK(with(36, FW_RANGE_HWA_LIKE) == FW_ERR_CONFIG);
+    CHECK(with(38, 1) == FW_ERR_CONFIG);  // a normalisation
+    CHECK(open_status(with_float(good, 40, 0.0f)) == FW_ERR_CONFIG);
+    CHECK(open_status(with_float(good, 40, std::nanf(""))) == FW_ERR_CONFIG);
+    CHECK(open_status(with_float(good, 44, -1.0f)) == FW_ERR_CONFIG);
+    CHECK(with(50, 61) == FW_ERR_CONFIG);  // bins 4 to 64 of 64
+    CHECK(with(50, 2) == FW_ERR_CONFIG);   // no peak among two
+    CHECK(with(64, 96) == FW_ERR_SHAPE);   // samples that are no power of two
+}
+
+TEST_CASE("a peak's shape needs the samples, and an echo in every row", "[blob]") {
+    const Blob blob = model_blob(shape_model(), FW_ARITHMETIC_FLOAT);
+    fw_model model;
+    REQUIRE(fw_model_open(blob.data(), blob.size(), &model) == FW_OK);
+    std::vector<float> scratch(fw_classify_scratch(&model) / sizeof(float));
+    const std::size_t n_bytes = scratch.size() * sizeof(float);
+    fw_result result{};
+    result.label = 77;
+    const std::vector<float> amplitude(64, 1.0f);
+    const fw_bins spectrum{.amplitude = amplitude.data(), .first_bin = 0, .n_bins = 64};
+    CHECK(fw_classify_bins(&model, &spectrum, scratch.data(), n_bytes, &result) == FW_ERR_CONFIG);
+    auto samples = oracle::random_codes(3 * 128, 1);
+    const fw_frame frame{samples.data(), 1, 3, 128};
+    CHECK(fw_classify(&model, &frame, scratch.data(), n_bytes - 4, &result) == FW_ERR_SCRATCH);
+    std::fill(samples.begin() + 128, samples.begin() + 256, std::int16_t{0});  // a dead receiver
+    CHECK(fw_classify(&model, &frame, scratch.data(), n_bytes, &result) == FW_ERR_NONFINITE);
+    CHECK(result.label == 77);
+    samples = oracle::random_codes(3 * 128, 1);
+    const fw_frame whole{samples.data(), 1, 3, 128};
+    CHECK(fw_classify(&model, &whole, scratch.data(), n_bytes, &result) == FW_OK);
+    CHECK(result.label < 5);
 }
 
 TEST_CASE("a model without its measurement is refused with what is missing and a way on",

@@ -50,7 +50,9 @@ Model trained(const Dataset& dataset, const Descriptor& descriptor) {
 TEST_CASE("the chip normalises as the model was trained, and answers the same", "[blob]") {
     const auto line = GENERATE(as<std::string>(), "range_bins 6 12 blackman",
                                "range_bins 6 12 blackman align 12 range 12 log 1 search 5 20",
-                               "range_bins 6 12 blackman range 12 log 0.5 search 3 30");
+                               "range_bins 6 12 blackman range 12 log 0.5 search 3 30",
+                               "peak_shape 6 12 blackman align 12 range 12 search 5 20",
+                               "peak_shape 0 31 hann align 12 range 12 search 0 40");
     const Descriptor descriptor = parse_descriptor(line);
     const Model model = trained(seeded_echoes(1), descriptor);
     const auto blob = model_blob(model, FW_ARITHMETIC_FLOAT);
@@ -67,7 +69,8 @@ TEST_CASE("the chip normalises as the model was trained, and answers the same", 
         fw_result result;
         REQUIRE(fw_classify(&opened, &frame, scratch.data(), scratch.size() * sizeof(float),
                             &result) == FW_OK);
-        for (std::size_t k = 0; k < 12; ++k) CHECK(result.features[k] == rows.row(i)[k]);
+        REQUIRE(opened.n_features == rows.n_features);
+        for (std::size_t k = 0; k < rows.n_features; ++k) CHECK(result.features[k] == rows.row(i)[k]);
         CHECK(result.logits[0] == answers.logits[2 * i]);
         CHECK(result.label == answers.label[i]);
         n_right += answers.label[i] == asked.truth[i].label;
@@ -81,6 +84,17 @@ TEST_CASE("a descriptor that the chip has no code for is not exported", "[blob]"
     CHECK(message_of([&] { return model_blob(model, FW_ARITHMETIC_FLOAT).size(); }) ==
           "descriptor = \"range_bins 6 12 blackman unit\": the firmware does not compute it; train "
           "on range_bins with align, range and log, or export the network alone as --onnx");
+}
+
+TEST_CASE("the exact form of a peak's shape is refused with the form that the chip has", "[blob]") {
+    const Descriptor descriptor =
+        parse_descriptor("relative_profile 6 12 blackman align 12 range 12 search 5 20");
+    const Model model = trained(echoes(1), descriptor);
+    const std::string message = message_of([&] { model_blob(model, FW_ARITHMETIC_FLOAT); });
+    CHECK(message.find("train on peak_shape") != std::string::npos);
+    CHECK(message_of([&] {
+              parse_descriptor("peak_shape 6 12 blackman hwa align 12 range 12 search 5 20");
+          }).find("no single, exported or hwa") != std::string::npos);
 }
 
 }  // namespace

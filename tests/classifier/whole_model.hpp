@@ -29,6 +29,18 @@ inline Model whole_model() {
     return model;
 }
 
+/// One of the shape of the peak, likewise.
+inline Model shape_model() {
+    Model model = random_model({25, 8, 5});
+    model.extractor = "peak_shape";
+    model.provenance = {
+        {"descriptor", "peak_shape 6 12 blackman align 11.5 range 11.5 search 4 20"}};
+    model.input_mean.assign(25, 0.1f);
+    model.input_scale.assign(25, 2.0f);
+    model.measurement = whole_model().measurement;
+    return model;
+}
+
 /// Bytes that the checksum of a blob agrees with again.
 inline Blob resealed(Blob blob) {
     fw_write_u32(blob.data() + 12, fw_crc32(blob.data() + 16, blob.size() - 16));

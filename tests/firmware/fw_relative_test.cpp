@@ -142,10 +142,15 @@ TEST_CASE("what cannot be described is refused and nothing is written", "[firmwa
     wrong = usual;
     wrong.target_bin = 0.0F;
     CHECK(status(&frame, &wrong) == FW_ERR_CONFIG);
+    wrong.target_bin = 1e-38F;  // the level is then beyond the range of float
+    CHECK(fw_relative_check(&frame, &wrong) == FW_OK);
+    CHECK(status(&frame, &wrong) == FW_ERR_NONFINITE);
     fw_frame odd = frame;
     odd.n_samples = 96;
     CHECK(fw_relative_scratch(&odd) == 0);
     CHECK(status(&odd, &usual) == FW_ERR_SHAPE);
+    CHECK(fw_relative_check(&odd, &usual) == FW_ERR_SHAPE);
+    CHECK(fw_relative_check(nullptr, &usual) == FW_ERR_NULL);
     CHECK(fw_relative(&frame, &usual, scratch.data(), bytes - 1, out.data()) == FW_ERR_SCRATCH);
     const std::vector<std::int16_t> silence(n_samples, 0);
     const fw_frame silent = frame_of(silence);

@@ -34,6 +34,7 @@ TEST_CASE("this machine passes the self-test, part by part", "[firmware]") {
     CHECK(fw_selftest(scratch.data(), scratch.size() * sizeof(float), &report) == FW_OK);
     CHECK(report.checksum);
     CHECK(report.profile);
+    CHECK(report.shape);
     CHECK(report.hwa_like);
     CHECK(report.network);
     CHECK(report.softmax);

@@ -1,6 +1,6 @@
 #include "tools/firmware/latency_study.hpp"
 
-#include "classifier/extract_features.hpp"
+#include "classifier/descriptor.hpp"
 #include "classifier/integer_model.hpp"
 #include "classifier/metrics.hpp"
 #include "classifier/model_blob.hpp"
@@ -32,7 +32,15 @@ struct Recorded {
     std::vector<Judged> judged;  ///< nominal, then every condition of the experiment
     std::size_t rerecorded = 0;  ///< which of them
     Measurement measurement;
+    Descriptor descriptor;
 };
+
+Descriptor descriptor_for(const Experiment& experiment, const LatencyRequest& request) {
+    if (!request.descriptor.empty()) return parse_descriptor(request.descriptor);
+    Descriptor descriptor;
+    descriptor.bins = experiment.descriptor;
+    return descriptor;
+}
 
 FeatureTable rows_of_world(const FeatureTable& rows, int world) {
     return select_rows_where(rows, [&](std::size_t i) { return rows.world[i] == world; });
@@ -57,11 +65,13 @@ Dataset first_frame(const Dataset& dataset) {
 Recorded record_for(const Experiment& experiment, const LatencyRequest& request,
                     const Catalogue& catalogue) {
     const Bench bench = bench_of(experiment, catalogue.materials);
+    const Descriptor descriptor = descriptor_for(experiment, request);
     Recorded recorded{.one_frame = {},
                       .splits = {},
                       .judged = {{"nominal", {}}},
                       .rerecorded = 1 + second_condition(experiment),
-                      .measurement = measurement_of(experiment.radar, experiment.descriptor)};
+                      .measurement = measurement_of(experiment.radar, descriptor.bins),
+                      .descriptor = descriptor};
     std::size_t n_sessions =
         session_count(experiment.training, experiment.population, request.worlds);
     for (const Condition& condition : experiment.conditions)
@@ -69,7 +79,7 @@ Recorded record_for(const Experiment& experiment, const LatencyRequest& request,
     Progress progress("Simulating", "sessions", n_sessions);
     const auto rows_under = [&](const Condition& condition, Dataset& frames) {
         frames = generate(bench, condition, request.worlds, request.threads, &progress.done());
-        return extract_features(frames, experiment.descriptor, request.threads);
+        return describe(frames, descriptor, request.threads);
     };
     Dataset frames;
     const FeatureTable training = rows_under(experiment.training, frames);
@@ -161,6 +171,7 @@ LatencyPoint measure_point(const std::vector<Model>& models, const Variant& vari
     point.model_bytes = model_blob(models.front(), variant.arithmetic).size();
     point.instructions = network.instructions + softmax.instructions;
     point.cycles = network.cycles + softmax.cycles;
+    point.features = stages.at("describe");
     for (std::size_t i = 0; i < recorded.judged.size(); ++i) {
         const Outcome outcome = judge(models, variant.arithmetic, recorded.judged[i]);
         point.agreement.push_back(outcome.agreement);
@@ -195,6 +206,11 @@ LatencyStudy study_latency(const LatencyRequest& request, const Catalogue& catal
     LatencyStudy study{.experiment = experiment.name,
                        .worlds = request.worlds,
                        .epochs = experiment.usual.epochs,
+                       .descriptor = recorded.descriptor.text(),
+                       .n_features = recorded.descriptor.n_features(),
+                       .n_classes = recorded.one_frame.class_names.size(),
+                       .n_rows = recorded.one_frame.codes_per_frame() /
+                                 static_cast<std::size_t>(recorded.one_frame.n_samples),
                        .points = {}};
     const RunSettings run{.seed = experiment.seed,
                           .worlds = request.worlds,
@@ -206,7 +222,10 @@ LatencyStudy study_latency(const LatencyRequest& request, const Catalogue& catal
         options.hidden = hidden;
         options.epochs = experiment.usual.epochs;
         std::vector<Model> models = train_worlds(recorded.splits, options, run, progress);
-        for (Model& model : models) model.measurement = recorded.measurement;
+        for (Model& model : models) {
+            model.measurement = recorded.measurement;
+            model.provenance.emplace_back("descriptor", study.descriptor);
+        }
         for (std::size_t i = 0; i < 3; ++i) {
             study.points.push_back(
                 measure_point(models, all_variants()[i], recorded, build, place));

@@ -27,6 +27,7 @@ struct LatencyPoint {
     std::size_t model_bytes = 0;
     double instructions = 0.0;                                    ///< of network and softmax
     CycleRange cycles;                                            ///< likewise, estimated
+    StageCost features;                                           ///< frame -> what it sees
     std::vector<double> nominal_per_world, rerecorded_per_world;  ///< macro-F1
     Interval nominal, rerecorded;
     /// Against the largest network in float32, world by world.
@@ -38,11 +39,15 @@ struct LatencyStudy {
     std::string experiment;
     int worlds = 0;
     int epochs = 0;
+    std::string descriptor;  ///< what the networks see
+    std::size_t n_features = FW_DEFAULT_N_BINS, n_classes = 5;
+    std::size_t n_rows = 0;            ///< chirps of all receivers in a frame
     std::vector<LatencyPoint> points;  ///< by rising size, three arithmetics each
 };
 
 struct LatencyRequest {
     std::filesystem::path experiment_file;
+    std::string descriptor;  ///< a line; empty: the experiment's range bins
     int worlds = 8;
     int threads = 1;
 };

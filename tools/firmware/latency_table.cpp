@@ -10,10 +10,20 @@ namespace {
 
 constexpr double budget_us = 20.0;
 
-std::string shape_of(const LatencyPoint& point) {
-    std::string text = "12";
+std::string shape_of(const LatencyStudy& study, const LatencyPoint& point) {
+    std::string text = format("{}", study.n_features);
     for (const int units : point.hidden) text += format("-{}", units);
-    return text + "-5";
+    return text + format("-{}", study.n_classes);
+}
+
+/// What the network sees costs the same for every size.
+std::string features_text(const LatencyStudy& study) {
+    const StageCost& features = study.points.front().features;
+    return format(
+        "Before the network, {} ({} numbers of {} rows) takes {:.0f} instructions, {:.1f} to {:.1f} "
+        "us, estimated likewise.\n\n",
+        study.descriptor, study.n_features, study.n_rows, features.instructions,
+        features.cycles.low / cycles_per_us, features.cycles.high / cycles_per_us);
 }
 
 const char* fit_of(const LatencyPoint& point) {
@@ -64,7 +74,7 @@ std::string agreement_text(const LatencyStudy& study) {
     TextTable table(head);
     for (const LatencyPoint& point : study.points) {
         if (point.arithmetic == "float32") continue;
-        std::vector<std::string> row{shape_of(point), point.arithmetic};
+        std::vector<std::string> row{shape_of(study, point), point.arithmetic};
         for (const Agreement& agreement : point.agreement)
             row.push_back(format("{:.1f} ({:+.1f}) {:.1f}", 100.0 * agreement.same_label,
                                  100.0 * agreement.f1_change, 100.0 * agreement.clipped));
@@ -94,7 +104,10 @@ std::vector<std::string> csv_head(const LatencyStudy& study) {
                                   "nominal_loss_high",
                                   "rerecorded_loss",
                                   "rerecorded_loss_low",
-                                  "rerecorded_loss_high"};
+                                  "rerecorded_loss_high",
+                                  "features_instructions",
+                                  "features_us_low",
+                                  "features_us_high"};
     for (const Agreement& agreement : study.points.front().agreement)
         for (const char* what : {"same_label", "f1_change", "clipped"})
             head.push_back(format("{}_{}", agreement.condition, what));
@@ -114,19 +127,19 @@ std::string latency_text(const LatencyStudy& study) {
     TextTable table({"network", "arithmetic", "MACs", "bytes", "insn", "us", "<= 20 us", "nominal",
                      "re-recorded", "loss, nominal", "loss, re-recorded"});
     for (const LatencyPoint& point : study.points)
-        table.add({shape_of(point), point.arithmetic, format("{}", point.n_multiplications),
+        table.add({shape_of(study, point), point.arithmetic, format("{}", point.n_multiplications),
                    format("{}", point.model_bytes), format("{:.0f}", point.instructions),
                    format("{:.1f} to {:.1f}", point.cycles.low / cycles_per_us,
                           point.cycles.high / cycles_per_us),
                    fit_of(point), percent(point.nominal), percent(point.rerecorded),
                    points_of(point.nominal_loss), points_of(point.rerecorded_loss)});
-    return text + table.text() + "\n" + agreement_text(study);
+    return text + table.text() + "\n" + features_text(study) + agreement_text(study);
 }
 
 std::string latency_csv(const LatencyStudy& study) {
     CsvTable table(csv_head(study));
     for (const LatencyPoint& point : study.points) {
-        std::vector<std::string> row{shape_of(point), point.arithmetic};
+        std::vector<std::string> row{shape_of(study, point), point.arithmetic};
         for (const std::size_t count : {point.n_multiplications, point.model_bytes})
             row.push_back(format("{}", count));
         for (const double value :
@@ -138,7 +151,8 @@ std::string latency_csv(const LatencyStudy& study) {
              {point.nominal.mean, point.rerecorded.mean, point.nominal_loss.value.mean,
               point.nominal_loss.value.low, point.nominal_loss.value.high,
               point.rerecorded_loss.value.mean, point.rerecorded_loss.value.low,
-              point.rerecorded_loss.value.high})
+              point.rerecorded_loss.value.high, point.features.instructions,
+              point.features.cycles.low / cycles_per_us, point.features.cycles.high / cycles_per_us})
             row.push_back(format("{:.6g}", value));
         for (const Agreement& agreement : point.agreement)
             for (const double value :

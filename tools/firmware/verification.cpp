@@ -3,6 +3,7 @@
 #include <cstring>
 #include <fstream>
 
+#include "classifier/descriptor.hpp"
 #include "classifier/model_blob.hpp"
 #include "firmware/fw_bytes.h"
 #include "firmware/fw_classify.h"
@@ -183,6 +184,13 @@ const std::vector<Variant>& all_variants() {
     return variants;
 }
 
+std::vector<Variant> variants_of(const Model& model) {
+    std::vector<Variant> variants = all_variants();
+    if (descriptor_of(model).is_relative())
+        std::erase_if(variants, [](const Variant& each) { return each.path != FW_RANGE_FLOAT; });
+    return variants;
+}
+
 std::size_t Verification::mismatches() const {
     std::size_t n = 0;
     for (const VariantResult& variant : variants)
@@ -217,7 +225,7 @@ std::map<std::string, StageCost> measure_stages(const TargetBuild& build, const 
 
 Verification verify_firmware(const VerifyInput& input, const Workplace& place) {
     Verification verification;
-    const std::vector<Variant>& variants = all_variants();
+    const std::vector<Variant> variants = variants_of(input.model);
     constexpr std::size_t n_measured = 3;  // the first variants: one per arithmetic
     Progress progress("Verifying", "steps", 1 + variants.size() + n_measured);
     const TargetBuild build = build_for_target(place.home, place.build);

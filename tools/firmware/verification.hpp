@@ -18,6 +18,8 @@ struct Variant {
     fw_range_path path = FW_RANGE_FLOAT;
 };
 const std::vector<Variant>& all_variants();
+/// Those that a model can be run in: a peak's shape is taken from the float spectrum alone.
+std::vector<Variant> variants_of(const Model& model);
 
 /// Frames in which two builds differ in a single bit or more.
 struct Mismatches {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "classifier/extract_features.hpp"
+#include "classifier/descriptor.hpp"
 #include "classifier/model_blob.hpp"
 #include "classifier/model_file.hpp"
 #include "classifier/same_measurement.hpp"
@@ -76,8 +76,19 @@ Measurement measurement_of_shape(const Dataset& frames) {
     return measurement;
 }
 
-Model train_on(const Dataset& frames, const Measurement& measurement, VerifyInput& input) {
-    FeatureTable rows = extract_features(frames, measurement.descriptor, 1);
+/// The line that was asked for, or range bins as they are measured.
+Descriptor descriptor_for(const VerifyRequest& request, const Measurement& measurement) {
+    if (!request.descriptor.empty()) return parse_descriptor(request.descriptor);
+    Descriptor descriptor;
+    descriptor.bins = measurement.descriptor;
+    return descriptor;
+}
+
+Model train_on(const VerifyRequest& request, Measurement measurement, VerifyInput& input) {
+    const Dataset& frames = input.frames;
+    const Descriptor descriptor = descriptor_for(request, measurement);
+    measurement.descriptor = descriptor.bins;
+    FeatureTable rows = describe(frames, descriptor, 1);
     input.model_is = "trained here on these frames";
     if (!has_two_classes(frames)) {
         input.model_is = "trained on arbitrary labels, for its arithmetic alone";
@@ -89,8 +100,10 @@ Model train_on(const Dataset& frames, const Measurement& measurement, VerifyInpu
     }
     TrainOptions options;
     options.epochs = training_epochs;
+    if (!request.hidden.empty()) options.hidden = request.hidden;
     Model model = train(rows, options, {.seed = 1, .purpose = "verify-firmware"});
     model.measurement = measurement;
+    model.provenance.emplace_back("descriptor", descriptor.text());
     return model;
 }
 
@@ -102,7 +115,7 @@ Dataset load_frames(const VerifyRequest& request) {
 
 void check_fit(const VerifyInput& input, const VerifyRequest& request, const Catalogue& catalogue) {
     try {
-        for (const Variant& variant : all_variants()) model_blob(input.model, variant.arithmetic);
+        for (const Variant& variant : variants_of(input.model)) model_blob(input.model, variant.arithmetic);
     } catch (const InputError& error) {
         throw InputError(format("{}: {}", input.model_is, error.what()));
     }
@@ -118,6 +131,12 @@ void check_fit(const VerifyInput& input, const VerifyRequest& request, const Cat
 }  // namespace
 
 VerifyInput prepare_verification(const VerifyRequest& request, const Catalogue& catalogue) {
+    const bool says_how = !request.descriptor.empty() || !request.hidden.empty();
+    if (says_how && !request.model.empty())
+        throw InputError(
+            format("{}: is trained already; leave out --descriptor and --hidden, which are for a "
+                   "model that is trained here",
+                   request.model.string()));
     VerifyInput input;
     Measurement measurement;
     Dataset all;
@@ -137,7 +156,7 @@ VerifyInput prepare_verification(const VerifyRequest& request, const Catalogue& 
             format("{}: holds {} frames; at least 2 are needed", input.frames_are, all.n_frames()));
     input.frames = thinned(all, static_cast<std::size_t>(request.most_frames));
     if (request.model.empty()) {
-        input.model = train_on(input.frames, measurement, input);
+        input.model = train_on(request, measurement, input);
     } else {
         input.model = read_model(request.model);
         input.model_is = request.model.string();

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "classifier/model.hpp"
 #include "scenes/catalogue.hpp"
@@ -21,6 +22,8 @@ struct VerifyRequest {
     std::filesystem::path
         dataset;                  ///< .h5, or .bin in the layout of ADC injection; empty: simulate
     std::filesystem::path model;  ///< empty: train one on the frames
+    std::string descriptor;       ///< of the one trained here; empty: the paper's range bins
+    std::vector<int> hidden;      ///< units of its hidden layers; empty: as `specula train`
     int most_frames = 1000;       ///< more are thinned out evenly
     int threads = 1;
 };
@@ -29,7 +32,7 @@ struct VerifyRequest {
 ///
 /// Frames without two classes (a recording) train a network on frame number modulo 5: its
 /// arithmetic is as good as any other's, its answers mean nothing. Throws InputError where files
-/// cannot be used or do not fit each other.
+/// cannot be used or do not fit each other, or where a model that is given is told how to be made.
 VerifyInput prepare_verification(const VerifyRequest& request, const Catalogue& catalogue);
 
 }  // namespace specula

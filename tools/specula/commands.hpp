@@ -166,6 +166,7 @@ int verify_firmware_command(const VerifyRequest& request, const Catalogue& catal
 struct LatencyArguments {
     std::filesystem::path experiment;  ///< a file
     std::filesystem::path out;         ///< folder for table and figure
+    std::string descriptor;            ///< empty: the experiment's range bins
     int worlds = 8;
     int threads = 1;
 };

@@ -45,6 +45,16 @@ void add_verify(CLI::App& program, VerifyRequest& request) {
                         "frames: a .h5 dataset or a .bin of ADC injection; default: simulated");
     command->add_option("MODEL", request.model,
                         "a model of a study; default: one trained on the frames");
+    command
+        ->add_option("--descriptor", request.descriptor,
+                     "of the model trained here, e.g. \"peak_shape 6 12 blackman align 11.5 range "
+                     "11.5 search 4 20\" (classifier/README.md); default: the paper's range bins")
+        ->type_name("LINE");
+    command
+        ->add_option("--hidden", request.hidden,
+                     "units of its hidden layers, e.g. 32,32; default 16,16")
+        ->delimiter(',')
+        ->check(CLI::Range(1, 1024).description(""));
     command->add_option("--frames", request.most_frames, "at most so many, evenly over all")
         ->check(CLI::Range(2, 100000).description(""))
         ->capture_default_str();
@@ -68,6 +78,11 @@ void add_latency(CLI::App& program, LatencyArguments& arguments) {
     command->add_option("-o,--out", arguments.out, "folder to write")
         ->type_name("FOLDER")
         ->capture_default_str();
+    command
+        ->add_option("--descriptor", arguments.descriptor,
+                     "what the networks see, e.g. \"peak_shape 6 12 blackman align 11.5 range 11.5 "
+                     "search 4 20\" (classifier/README.md); default: the experiment's range bins")
+        ->type_name("LINE");
     command->add_option("--worlds", arguments.worlds, "to train and judge in, 1 to 1000")
         ->check(CLI::Range(1, 1000).description(""))
         ->capture_default_str();

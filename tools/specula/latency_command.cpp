@@ -13,6 +13,7 @@ void latency_command(const LatencyArguments& arguments, const Catalogue& catalog
     const LatencyStudy study = study_latency(
         {.experiment_file = is_file ? arguments.experiment
                                     : catalogue.experiment_file(arguments.experiment.string()),
+         .descriptor = arguments.descriptor,
          .worlds = arguments.worlds,
          .threads = arguments.threads},
         catalogue, place.get());

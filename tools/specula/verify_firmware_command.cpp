@@ -12,26 +12,14 @@
 
 namespace specula {
 
-namespace {
-
-/// The network and the frame for which firmware/budget.toml counts instructions.
-bool has_default_shape(const VerifyInput& input) {
-    const Model& model = input.model;
-    return input.frames.n_samples == 128 && input.frames.n_rx == 3 && input.frames.n_chirps == 1 &&
-           model.n_features() == FW_DEFAULT_N_BINS && model.n_classes() == 5 &&
-           model.hidden.size() == 2 && model.hidden[0].n_out == 16 && model.hidden[1].n_out == 16;
-}
-
-}  // namespace
-
 int verify_firmware_command(const VerifyRequest& request, const Catalogue& catalogue) {
     const VerifyInput input = prepare_verification(request, catalogue);
     const TemporaryWorkplace place;
     const Verification verification = verify_firmware(input, place.get());
     std::printf("%s\n", verify_report(input, verification).c_str());
-    const bool default_shape = has_default_shape(input);
+    const BudgetShape shape = budget_shape_of(input);
     const auto excess =
-        find_excess(verification, home_folder() / "firmware/budget.toml", default_shape);
+        find_excess(verification, home_folder() / "firmware/budget.toml", shape);
     for (const Excess& each : excess)
         say_error(format("{}: {:.0f} {}, over the budget of {:.0f} in firmware/budget.toml",
                          each.what, each.spent, each.unit, each.allowed));
@@ -44,8 +32,9 @@ int verify_firmware_command(const VerifyRequest& request, const Catalogue& catal
         say_error(
             format("{} mismatches between builds of the same source", verification.mismatches()));
     const bool good = excess.empty() && foreign == 0 && verification.mismatches() == 0;
-    std::printf("%s\n", good ? (default_shape ? "0 mismatches, within every budget"
-                                              : "0 mismatches, within the budgets of sizes")
+    std::printf("%s\n", good ? (shape != BudgetShape::none ? "0 mismatches, within every budget"
+                                                           : "0 mismatches, within the budgets of "
+                                                             "sizes")
                              : "FAILED");
     return good ? 0 : 1;
 }

@@ -13,8 +13,10 @@ set -e
 here=$source/tests/firmware/fuzz
 python3 "$here/make_seeds.py" "$folder"
 for arithmetic in float int16 int8; do
-    "$specula" export model "$folder/model.json" --arithmetic $arithmetic \
-        --blob "$folder/model_$arithmetic" >/dev/null
+    for model in model model_shape; do
+        "$specula" export model "$folder/$model.json" --arithmetic $arithmetic \
+            --blob "$folder/${model}_$arithmetic" >/dev/null
+    done
 done
 sanitize="-fsanitize=address,undefined -fno-sanitize-recover=all -g -O1"
 flags="-std=c11 -Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow -Werror -ffp-contract=off"

@@ -34,10 +34,13 @@ int LLVMFuzzerTestOneInput(const uint8_t* data, size_t n_bytes) {
     memcpy(blob, data, n_bytes);
     fw_model model;
     (void)fw_model_open(blob, n_bytes, &model);
-    memcpy(blob, "RFWM\1\0\0\0", 8);
+    memcpy(blob, "RFWM\0\0\0\0", 8);
     fw_write_u32(blob + 8, (uint32_t)n_bytes);
     fw_write_u32(blob + 12, fw_crc32(blob + 16, n_bytes - 16));
-    if (fw_model_open(blob, n_bytes, &model) == FW_OK) run_model(&model);
+    for (uint16_t version = 1; version <= 2; ++version) { /* each has its own kind of features */
+        fw_write_u16(blob + 4, version);
+        if (fw_model_open(blob, n_bytes, &model) == FW_OK) run_model(&model);
+    }
     free(blob);
     return 0;
 }

@@ -51,6 +51,20 @@ model = {
 with open(folder + "/model.json", "w") as file:
     json.dump(model, file)
 
+model["extractor"] = "peak_shape"
+model["provenance"] = {"descriptor": "peak_shape 6 12 blackman align 11.5 range 11.5 search 4 20"}
+model["input_mean"] = [0.1] * 25
+model["input_scale"] = [2.0] * 25
+model["monitor"] = {
+    "mean": [0.1] * 25,
+    "whitening": [2.0 if i == j else 0.0 for i in range(25) for j in range(i + 1)],
+    "centre": [number() for _ in range(75)],
+    "suspicious_squared": [44.0],
+}
+model["hidden"] = [layer(25, 6)]
+with open(folder + "/model_shape.json", "w") as file:
+    json.dump(model, file)
+
 for name, shape in (("injection_a", (16, 2, 1, 2)), ("injection_b", (64, 1, 1, 1))):
     codes = shape[0] * shape[1] * shape[2] * shape[3]
     with open(folder + "/" + name, "wb") as file:

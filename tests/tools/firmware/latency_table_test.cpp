@@ -8,7 +8,10 @@ namespace {
 
 /// A study whose numbers are as wide as they get.
 LatencyStudy wide_study() {
-    LatencyStudy study{.experiment = "wide", .worlds = 8, .epochs = 60, .points = {}};
+    LatencyStudy study;
+    study.experiment = "wide";
+    study.worlds = 8;
+    study.epochs = 60;
     const Interval interval{.mean = -0.123, .low = -1.0, .high = 1.0};
     for (const int units : {8, 16, 128})
         for (const char* arithmetic : {"float32", "int16", "int8"}) {
