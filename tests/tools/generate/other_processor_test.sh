@@ -27,7 +27,7 @@ generate() { "$program" generate tilt_and_height --worlds "$worlds" -o "$1" >log
 simulate() {
     SPECULA_EMBREE="verbose=1${3:+,$3}" "$program" simulate "$SPECULA_HOME/scenes/examples/$1.toml" -o "$2" \
         >log 2>err || { cat err; exit 1; }
-    sed -n 's/.*Targets : .*\b\([A-Z0-9.]*\)  (supported).*/\1/p' log
+    sed -n 's/.*Targets : .* \([A-Z0-9.]*\)  (supported).*/\1/p' log
 }
 for scene in ${SPECULA_PROCESSOR_SCENES:-corner}; do
     own=$(simulate "$scene" own.h5 "")
