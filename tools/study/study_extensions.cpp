@@ -4,6 +4,7 @@
 #include "tools/study/attribution.hpp"
 #include "tools/study/honesty.hpp"
 #include "tools/study/ladder.hpp"
+#include "tools/study/remedy_models.hpp"
 #include "tools/study/sensitivity.hpp"
 #include "tools/study/severity.hpp"
 #include "tools/study/study_stages.hpp"
@@ -62,7 +63,8 @@ void add_percentiles(const StudyState& state, StudyResults& results) {
     }
 }
 
-void add_severity(const StudyState& state, const Ladder* ladder, StudyResults& results) {
+void add_severity(const StudyState& state, const std::optional<Remedy>& remedy,
+                  StudyResults& results) {
     const StudyContext& context = state.context;
     const auto worlds =
         static_cast<std::size_t>(std::min(context.extent.severity_worlds, context.run.worlds));
@@ -71,12 +73,8 @@ void add_severity(const StudyState& state, const Ladder* ladder, StudyResults& r
                                   models.begin() + static_cast<std::ptrdiff_t>(worlds));
     };
     std::vector<GridEntrant> entrants{{"As in the paper", "", first(state.baseline.models)}};
-    for (std::size_t i = 0; i < results.ladder.size(); ++i)
-        if (ladder != nullptr && results.ladder[i].recommended && i > 0 &&
-            !context.experiment.protocol.rungs[i].motion) {  // the grid stands still
-            const RungPlan& plan = context.experiment.protocol.rungs[i];
-            entrants.push_back({plan.title, plan.kind(), first(ladder->models_of(plan))});
-        }
+    if (remedy && !remedy->plan->motion)  // the grid stands still
+        entrants.push_back({remedy->plan->title, remedy->plan->kind(), first(remedy->models)});
     results.severity = severity_grid(context, entrants);
 }
 
@@ -102,8 +100,11 @@ void extend_study(const StudyState& state, StageClock& clock, StudySummary& summ
         results.ladder = ladder->run();
         clock.ended("remedies");
     }
+    std::optional<Remedy> remedy;
+    if (ladder) remedy = train_remedy(*ladder, protocol.rungs, results.ladder);
+    if (remedy) write_remedy(*remedy, context.experiment.radar, context.run.folder);
     if (context.extent.severity_worlds > 0 && protocol.severity) {
-        add_severity(state, ladder ? &*ladder : nullptr, results);
+        add_severity(state, remedy, results);
         clock.ended("severity grid");
     }
     if (context.extent.variant_worlds > 0) {
