@@ -18,6 +18,20 @@ namespace {
     throw SystemError(path.string() + ": " + what + ": " + std::strerror(error));
 }
 
+/// What another name for the output would mend; all else is the machine's.
+bool is_about_the_place(int error) {
+    for (const int each : {ENOENT, ENOTDIR, EACCES, EPERM, EROFS, EISDIR, EEXIST, ENAMETOOLONG,
+                           ELOOP, EINVAL})
+        if (error == each) return true;
+    return false;
+}
+
+[[noreturn]] void fail_to_create(const std::filesystem::path& path, int error) {
+    if (!is_about_the_place(error)) fail(path, "cannot create", error);
+    throw InputError(path.string() + ": cannot create: " + std::strerror(error) +
+                     "; give another place");
+}
+
 /// Repeats a system call that a signal interrupted.
 template <typename Call>
 auto uninterrupted(Call call) {
@@ -38,7 +52,7 @@ class Draft {
                 return ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
             });
         } while (descriptor_ == -1 && errno == EEXIST);
-        if (descriptor_ == -1) fail(file, "cannot create", errno);
+        if (descriptor_ == -1) fail_to_create(file, errno);
     }
     Draft(const Draft&) = delete;
     Draft& operator=(const Draft&) = delete;
@@ -106,11 +120,23 @@ std::filesystem::path place_of(const std::filesystem::path& name) {
 
 }  // namespace
 
+void make_output_folder(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) fail_to_create(folder, error.value());
+    // A link or a file of that name is no error to the library.
+    if (!std::filesystem::is_directory(folder, error)) fail_to_create(folder, ENOTDIR);
+}
+
+void check_output_place(const std::filesystem::path& file) {
+    const std::filesystem::path place = place_of(file);
+    make_output_folder(folder_of(place));
+    const Draft draft(place);
+}
+
 void write_file_atomically(const std::filesystem::path& file, std::string_view content) {
     const std::filesystem::path place = place_of(file);
-    std::error_code error;
-    std::filesystem::create_directories(folder_of(place), error);
-    if (error) fail(folder_of(place), "cannot create", error.value());
+    make_output_folder(folder_of(place));
     Draft draft(place);
     draft.write(content);
     draft.close_on_disk();
