@@ -26,6 +26,21 @@ void shuffle(std::vector<T>& values, Stream& stream) {
         std::swap(values[i - 1], values[stream.below(static_cast<std::uint32_t>(i))]);
 }
 
+/// The dataset's name of what is left out.
+const char* leave_out_name(LeaveOut what) {
+    switch (what) {
+        case LeaveOut::frame:
+            return "frame";
+        case LeaveOut::session:
+            return "session";
+        case LeaveOut::view:
+            return "view";
+        case LeaveOut::sample:
+            return "sample";
+    }
+    return "frame";
+}
+
 /// What is learnt from the one table says about the other.
 Predictions answer(const FeatureTable& training, const FeatureTable& judged,
                    const CrossValidation& how, const StreamKey& key) {
@@ -46,8 +61,26 @@ std::vector<std::int32_t> groups_of(const Dataset& dataset, LeaveOut what) {
                         : what == LeaveOut::view    ? truth.view
                                                     : truth.sample);
     if (n_distinct(group) < 2)
-        throw InputError("there is only one group to leave out; record more than one");
+        throw InputError(
+            format("/{0}: all frames have one {0}, {1}: the dataset tells no groups apart; record "
+                   "more than one, or say in the import's manifest which frames belong together",
+                   leave_out_name(what), group.empty() ? 0 : group.front()));
     return group;
+}
+
+void expect_groups_in_classes(const FeatureTable& rows, std::span<const std::int32_t> group,
+                              LeaveOut what) {
+    SPECULA_EXPECT(group.size() == rows.size());
+    std::map<std::uint8_t, std::set<std::int32_t>> groups;
+    for (std::size_t i = 0; i < rows.size(); ++i) groups[rows.label[i]].insert(group[i]);
+    for (const auto& [label, own] : groups) {
+        if (own.size() > 1) continue;
+        throw InputError(
+            format("/{0}: all frames of class \"{1}\" have one {0}, {2}: left out, nothing of the "
+                   "class is left to learn from; record two or more of each class, or say in the "
+                   "import's manifest which frames belong together",
+                   leave_out_name(what), rows.class_names.at(label), *own.begin()));
+    }
 }
 
 std::vector<int> deal_folds(const FeatureTable& rows, std::span<const std::int32_t> group,

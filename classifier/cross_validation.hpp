@@ -25,6 +25,12 @@ enum class LeaveOut {
 /// where it holds a single group.
 std::vector<std::int32_t> groups_of(const Dataset& dataset, LeaveOut what);
 
+/// Throws InputError `what: problem; remedy` where a class lies in one group alone: with that left
+/// out, nothing of the class is learnt from, and none of its frames can be recognised.
+/// @in  group  (example), as groups_of gives it
+void expect_groups_in_classes(const FeatureTable& rows, std::span<const std::int32_t> group,
+                              LeaveOut what);
+
 /// Parts groups into folds, one group never over two: groups sorted by class, then by number, are
 /// dealt round; single frames by chance.
 /// @in   n_folds  >= 2; fewer groups make fewer folds

@@ -98,4 +98,29 @@ Interval bootstrap_mean(const std::vector<double>& per_world, const StreamKey& k
     return {.mean = mean, .low = means[n_beyond], .high = means[n_resamples - 1 - n_beyond]};
 }
 
+Interval bootstrap_share(const std::vector<double>& parts, const std::vector<double>& wholes,
+                         const StreamKey& key) {
+    SPECULA_EXPECT(!parts.empty() && parts.size() == wholes.size());
+    const double whole = std::accumulate(wholes.begin(), wholes.end(), 0.0);
+    SPECULA_EXPECT(whole > 0.0);
+    const double share = std::accumulate(parts.begin(), parts.end(), 0.0) / whole;
+    constexpr std::size_t n_resamples = 10'000;
+    Stream stream(key);
+    std::vector<double> shares;
+    for (std::size_t k = 0; k < n_resamples; ++k) {
+        double part = 0.0, all = 0.0;
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            const auto world = stream.below(static_cast<std::uint32_t>(parts.size()));
+            part += parts[world];
+            all += wholes[world];
+        }
+        if (all > 0.0) shares.push_back(part / all);
+    }
+    std::ranges::sort(shares);
+    const std::size_t n_beyond = shares.size() / 40;  // 2.5 % on either side
+    return {.mean = share,
+            .low = shares[n_beyond],
+            .high = shares[shares.size() - 1 - n_beyond]};
+}
+
 }  // namespace specula

@@ -47,4 +47,10 @@ WorstDomain worst_domain(std::span<const double> macro_f1_per_domain);
 /// them the interval is too narrow.
 Interval bootstrap_mean(const std::vector<double>& per_world, const StreamKey& key);
 
+/// A share, (sum of parts) / (sum of wholes), with its interval as bootstrap_mean draws it;
+/// resamples in which nothing is counted are left out.
+/// @in  parts, wholes  (world), 0 <= part <= whole; at least one whole above 0
+Interval bootstrap_share(const std::vector<double>& parts, const std::vector<double>& wholes,
+                         const StreamKey& key);
+
 }  // namespace specula

@@ -66,6 +66,13 @@ struct InputMonitor {
     float suspicious_squared = 0;  ///< squared distance above which an input is unfamiliar, > 0
 };
 
+/// A few points that stand for the training rows; see Prototypes, which is this as a matrix.
+struct InputPrototypes {
+    std::vector<float> mean;    ///< (feature)
+    std::vector<float> scale;   ///< (feature), >= 0; distances are of (x - mean) * scale
+    std::vector<float> centre;  ///< (prototype, feature), at least one
+};
+
 /// A trained classifier as training left it: batch normalisation is not folded.
 struct Model {
     std::string extractor;                  ///< name of the firmware's extractor it was trained on
@@ -77,6 +84,8 @@ struct Model {
     OutputLayer output;
     std::optional<Measurement> measurement{};  ///< how its features came about, if known
     std::optional<InputMonitor> monitor{};
+    std::optional<InputPrototypes> prototypes{};
+    std::vector<std::string> feature_names{};  ///< (feature) of named columns; empty: no names
     /// Where it comes from, for people: (what, value), e.g. ("dataset", a fingerprint).
     std::vector<std::pair<std::string, std::string>> provenance;
 

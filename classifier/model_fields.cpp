@@ -111,4 +111,27 @@ InputMonitor read_monitor(const JsonField& field, const MonitorShape& shape) {
                 field.at("suspicious_squared").numbers(1, std::numeric_limits<float>::min())[0]};
 }
 
+FloatJson prototypes_json(const InputPrototypes& prototypes) {
+    FloatJson rows = FloatJson::array();
+    const std::size_t n = prototypes.mean.size();
+    for (std::size_t at = 0; at < prototypes.centre.size(); at += n)
+        rows.push_back(std::vector<float>(
+            prototypes.centre.begin() + static_cast<std::ptrdiff_t>(at),
+            prototypes.centre.begin() + static_cast<std::ptrdiff_t>(at + n)));
+    return {{"mean", prototypes.mean}, {"scale", prototypes.scale}, {"centre", rows}};
+}
+
+InputPrototypes read_prototypes(const JsonField& field, std::size_t n_features) {
+    InputPrototypes prototypes{.mean = field.at("mean").numbers(n_features, below_all),
+                               .scale = field.at("scale").numbers(n_features, 0.0f),
+                               .centre = {}};
+    const auto rows = field.at("centre").items();
+    if (rows.empty()) field.at("centre").fail("holds no prototype", "train the model again");
+    for (const JsonField& row : rows) {
+        const std::vector<float> numbers = row.numbers(n_features, below_all);
+        prototypes.centre.insert(prototypes.centre.end(), numbers.begin(), numbers.end());
+    }
+    return prototypes;
+}
+
 }  // namespace specula

@@ -24,6 +24,8 @@ struct MonitorShape {
     std::size_t n_classes = 0;
 };
 FloatJson monitor_json(const InputMonitor& monitor);
+FloatJson prototypes_json(const InputPrototypes& prototypes);
+InputPrototypes read_prototypes(const JsonField& field, std::size_t n_features);
 InputMonitor read_monitor(const JsonField& field, const MonitorShape& shape);
 
 }  // namespace specula

@@ -5,6 +5,7 @@
 #include <limits>
 #include <set>
 #include <sstream>
+#include <string_view>
 
 #include "classifier/json_field.hpp"
 #include "classifier/model_fields.hpp"
@@ -24,6 +25,7 @@ constexpr std::uintmax_t max_bytes = 16u << 20;
 constexpr std::size_t max_width = std::numeric_limits<std::uint16_t>::max();  // of fw_layer
 constexpr std::size_t max_weights = 4u << 20;  // of a layer as the firmware would run it
 constexpr std::size_t max_classes = 256;       // labels are bytes
+constexpr std::string_view hdf5_start{"\x89HDF\r\n\x1a\n", 8};  ///< of every HDF5 file
 constexpr float lowest = std::numeric_limits<float>::lowest();
 
 FloatJson rows(const std::vector<float>& values, std::size_t n_in) {
@@ -59,9 +61,15 @@ std::string read_text(const std::filesystem::path& file) {
         throw InputError(file.string() + ": no such file; check the path");
     if (!std::filesystem::is_regular_file(file, ignored))
         throw InputError(file.string() + ": is not a regular file; name a model file");
+    std::ifstream in(file, std::ios::binary);
+    char start[hdf5_start.size()] = {};
+    if (in.read(start, sizeof start) && std::string_view(start, sizeof start) == hdf5_start)
+        throw InputError(file.string() +
+                         ": is a dataset (HDF5), not a model; a model (.json) belongs here");
+    in.clear();
+    in.seekg(0);
     if (std::filesystem::file_size(file, ignored) > max_bytes)
         throw InputError(file.string() + ": is larger than 16 MiB; name a model file");
-    std::ifstream in(file, std::ios::binary);
     std::ostringstream text;
     text << in.rdbuf();
     if (!in) throw InputError(file.string() + ": cannot be read; check its permissions");
@@ -130,6 +138,14 @@ std::vector<std::string> read_class_names(const JsonField& field) {
     return names;
 }
 
+std::vector<std::string> read_feature_names(const JsonField& field, std::size_t n_features) {
+    std::vector<std::string> names;
+    for (const JsonField& item : field.items()) names.push_back(item.text());
+    if (names.size() != n_features)
+        field.fail("has the wrong length", format("one per feature: {}", n_features));
+    return names;
+}
+
 Model read_fields(const JsonField& root) {
     if (root.at("format").text() != format_name)
         root.at("format").fail("is another kind of file", "name a model file");
@@ -150,6 +166,10 @@ Model read_fields(const JsonField& root) {
     model.input_scale = root.at("input_scale").numbers(n_in, 0.0f);
     if (root.has("input_norm")) model.input_norm = read_batch_norm(root.at("input_norm"), n_in);
     if (root.has("measurement")) model.measurement = read_measurement(root.at("measurement"));
+    if (root.has("feature_names"))
+        model.feature_names = read_feature_names(root.at("feature_names"), n_in);
+    if (root.has("prototypes"))
+        model.prototypes = read_prototypes(root.at("prototypes"), n_in);
     if (root.has("monitor"))
         model.monitor = read_monitor(root.at("monitor"), {n_in, model.n_classes()});
     const std::vector<JsonField> hidden = root.at("hidden").items();
@@ -180,6 +200,7 @@ void write_model(const Model& model, const std::filesystem::path& file) {
     root["version"] = std::ranges::any_of(model.hidden, convolves) ? format_version : 1;
     root["extractor"] = model.extractor;
     root["class_names"] = model.class_names;
+    if (!model.feature_names.empty()) root["feature_names"] = model.feature_names;
     root["provenance"] = FloatJson::object();
     for (const auto& [what, value] : model.provenance) root["provenance"][what] = value;
     root["input_mean"] = model.input_mean;
@@ -187,6 +208,7 @@ void write_model(const Model& model, const std::filesystem::path& file) {
     if (model.input_norm) root["input_norm"] = batch_norm_json(*model.input_norm);
     if (model.measurement) root["measurement"] = measurement_json(*model.measurement);
     if (model.monitor) root["monitor"] = monitor_json(*model.monitor);
+    if (model.prototypes) root["prototypes"] = prototypes_json(*model.prototypes);
     root["hidden"] = FloatJson::array();
     for (const HiddenLayer& layer : model.hidden) root["hidden"].push_back(hidden_json(layer));
     root["output"] = {{"weight", rows(model.output.weight, model.output.n_in)},
@@ -198,14 +220,20 @@ void write_model(const Model& model, const std::filesystem::path& file) {
 
 Model read_model(const std::filesystem::path& file) {
     const std::string name = file.string();
-    FloatJson root;
+    const std::string text = read_text(file);
     try {
-        root = FloatJson::parse(read_text(file));
-    } catch (const FloatJson::exception& error) {
+        const FloatJson root = FloatJson::parse(text);
+        return read_fields(JsonField(name, root));
+    } catch (const FloatJson::parse_error& error) {
+        const std::size_t place = std::min<std::size_t>(error.byte, text.size());
+        const auto end = text.begin() + static_cast<std::ptrdiff_t>(place);
         throw InputError(
-            format("{}: is not valid JSON: {}; train the model again", name, error.what()));
+            format("{}: is not valid JSON in line {}; name a model that train or study wrote", name,
+                   1 + std::count(text.begin(), end, '\n')));
+    } catch (const FloatJson::exception&) {
+        throw InputError(format(
+            "{}: is not valid JSON, or holds a number beyond float; train the model again", name));
     }
-    return read_fields(JsonField(name, root));
 }
 
 }  // namespace specula

@@ -147,6 +147,21 @@ Prototypes fit_prototypes(const FeatureTable& rows, const PrototypeOptions& opti
     return prototypes;
 }
 
+InputPrototypes kept(const Prototypes& prototypes) {
+    const Matrix<float>& centre = prototypes.centre;
+    return {.mean = prototypes.standardiser.mean,
+            .scale = prototypes.standardiser.scale,
+            .centre = {centre.data(), centre.data() + centre.size()}};
+}
+
+Prototypes prototypes_of(const InputPrototypes& kept) {
+    const auto n_features = static_cast<Index>(kept.mean.size());
+    const auto n_values = static_cast<Index>(kept.centre.size());
+    return {.standardiser = {.mean = kept.mean, .scale = kept.scale},
+            .centre = Eigen::Map<const Matrix<float>>(kept.centre.data(), n_features,
+                                                      n_values / n_features)};
+}
+
 std::vector<double> prototype_distances(const Prototypes& prototypes, const FeatureTable& rows) {
     const Matrix<float> asked = standardised_rows(rows, prototypes.standardiser);
     std::vector<double> distances;

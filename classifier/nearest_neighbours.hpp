@@ -46,6 +46,10 @@ struct PrototypeOptions {
 Prototypes fit_prototypes(const FeatureTable& rows, const PrototypeOptions& options,
                           const StreamKey& key);
 
+/// The same as a model keeps it, and back, bit for bit.
+InputPrototypes kept(const Prototypes& prototypes);
+Prototypes prototypes_of(const InputPrototypes& kept);
+
 /// Distance of each row from its nearest prototype, in standard deviations.
 std::vector<double> prototype_distances(const Prototypes& prototypes, const FeatureTable& rows);
 

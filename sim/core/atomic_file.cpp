@@ -24,6 +24,20 @@ constexpr const char* draft_mark = ".draft-";  ///< before the number of the pro
     throw SystemError(path.string() + ": " + what + ": " + std::strerror(error));
 }
 
+/// What another name for the output would mend; all else is the machine's.
+bool is_about_the_place(int error) {
+    for (const int each :
+         {ENOENT, ENOTDIR, EACCES, EPERM, EROFS, EISDIR, EEXIST, ENAMETOOLONG, ELOOP, EINVAL})
+        if (error == each) return true;
+    return false;
+}
+
+[[noreturn]] void fail_to_create(const std::filesystem::path& path, int error) {
+    if (!is_about_the_place(error)) fail(path, "cannot create", error);
+    throw InputError(path.string() + ": cannot create: " + std::strerror(error) +
+                     "; give another place");
+}
+
 /// Repeats a system call that a signal interrupted.
 template <typename Call>
 auto uninterrupted(Call call) {
@@ -44,7 +58,7 @@ class Draft {
                 return ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
             });
         } while (descriptor_ == -1 && errno == EEXIST);
-        if (descriptor_ == -1) fail(file, "cannot create", errno);
+        if (descriptor_ == -1) fail_to_create(file, errno);
         ::flock(descriptor_, LOCK_EX | LOCK_NB);  // what no lock is on may be cleared away
     }
     Draft(const Draft&) = delete;
@@ -119,7 +133,8 @@ std::filesystem::path place_of_file(const std::filesystem::path& name) {
     if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
         throw InputError(name.string() + ": is there, and is no file; give another name");
     std::filesystem::path place = name;
-    for (int i = 0; std::filesystem::is_symlink(std::filesystem::symlink_status(place, error)); ++i) {
+    for (int i = 0; std::filesystem::is_symlink(std::filesystem::symlink_status(place, error));
+         ++i) {
         if (i == most_links) fail(name, "cannot follow", ELOOP);
         const auto target = std::filesystem::read_symlink(place, error);
         if (error) fail(name, "cannot follow", error.value());
@@ -142,11 +157,23 @@ void remove_abandoned_drafts(const std::filesystem::path& file) {
     for (const auto& draft : drafts) std::filesystem::remove(draft, ignored);
 }
 
+void make_output_folder(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) fail_to_create(folder, error.value());
+    // A link or a file of that name is no error to the library.
+    if (!std::filesystem::is_directory(folder, error)) fail_to_create(folder, ENOTDIR);
+}
+
+void check_output_place(const std::filesystem::path& file) {
+    const std::filesystem::path place = place_of_file(file);
+    make_output_folder(folder_of(place));
+    const Draft draft(place);
+}
+
 void write_file_atomically(const std::filesystem::path& file, std::string_view content) {
     const std::filesystem::path place = place_of_file(file);
-    std::error_code error;
-    std::filesystem::create_directories(folder_of(place), error);
-    if (error) fail(folder_of(place), "cannot create", error.value());
+    make_output_folder(folder_of(place));
     Draft draft(place);
     draft.write(content);
     draft.close_on_disk();

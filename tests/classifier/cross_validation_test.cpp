@@ -99,10 +99,22 @@ TEST_CASE("groups that a dataset does not tell apart are refused", "[classifier]
           "view: the dataset tells no views apart; leave out sessions or samples");
     CHECK(message_of([&] {
               return groups_of(dataset, LeaveOut::session);
-          }).rfind("there is only one group", 0) == 0);
+          }).rfind("/session: all frames have one session, 0: the dataset tells no groups apart", 0) ==
+          0);
     CHECK(groups_of(dataset, LeaveOut::frame) == std::vector<std::int32_t>{0, 1, 2, 3});
     dataset.truth[2].sample = 5;
     CHECK(groups_of(dataset, LeaveOut::sample) == std::vector<std::int32_t>{0, 0, 5, 0});
+}
+
+TEST_CASE("a class in one group alone cannot be left out, and is named", "[classifier]") {
+    FeatureTable rows;
+    rows.class_names = {"iron", "wood"};
+    rows.label = {0, 0, 1, 1};
+    const std::vector<std::int32_t> one_each{4, 4, 5, 5}, two_each{4, 5, 5, 4};
+    const std::string problem =
+        message_of([&] { expect_groups_in_classes(rows, one_each, LeaveOut::session); });
+    CHECK(problem.rfind("/session: all frames of class \"iron\" have one session, 4:", 0) == 0);
+    CHECK_NOTHROW(expect_groups_in_classes(rows, two_each, LeaveOut::session));
 }
 
 }  // namespace

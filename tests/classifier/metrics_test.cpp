@@ -102,5 +102,19 @@ TEST_CASE("the same key resamples the same worlds", "[metrics]") {
     CHECK(other.high == Approx(interval.high + 1.0).epsilon(1e-14));
 }
 
+TEST_CASE("a share over equal worlds has the interval of the mean of their shares", "[metrics]") {
+    const StreamKey key{.seed = 3, .purpose = "share"};
+    const std::vector<double> parts{2, 4, 5, 9}, wholes{10, 10, 10, 10};
+    const Interval share = bootstrap_share(parts, wholes, key);
+    const Interval mean = bootstrap_mean({0.2, 0.4, 0.5, 0.9}, key);
+    CHECK(share.mean == Approx(mean.mean));
+    CHECK(share.low == Approx(mean.low));
+    CHECK(share.high == Approx(mean.high));
+    // A world that counts nothing changes no share, and no resample of it alone is 0 / 0.
+    const Interval with_empty = bootstrap_share({2, 0}, {10, 0}, key);
+    CHECK(with_empty.low == Approx(0.2));
+    CHECK(with_empty.high == Approx(0.2));
+}
+
 }  // namespace
 }  // namespace specula

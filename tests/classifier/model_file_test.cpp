@@ -9,6 +9,7 @@
 #include "tests/check.hpp"
 #include "tests/classifier/naive_model.hpp"
 #include "tests/classifier/temporary_folder.hpp"
+#include "tests/message_of.hpp"
 
 namespace specula {
 namespace {
@@ -72,6 +73,37 @@ TEST_CASE("a model comes back from its file bit for bit", "[model file]") {
     CHECK((read.output.n_in == 4 && read.output.n_out == 2));
     CHECK(same_bits(read.output.weight, model.output.weight));
     CHECK(same_bits(read.output.bias, model.output.bias));
+}
+
+TEST_CASE("names of features and prototypes come back, and are refused where they do not fit",
+          "[model file]") {
+    const TemporaryFolder folder;
+    Model model = example();
+    model.feature_names = {"x", "y", "level \"a\""};
+    model.prototypes = InputPrototypes{.mean = {1.0f, -2.0f, 0.1f},
+                                       .scale = {0.0f, 3.0f, 1.0f / 3.0f},
+                                       .centre = {1, 2, 3, 4, 5, 6}};
+    write_model(model, folder / "m.json");
+    const Model read = read_model(folder / "m.json");
+    CHECK(read.feature_names == model.feature_names);
+    REQUIRE(read.prototypes);
+    CHECK(same_bits(read.prototypes->mean, model.prototypes->mean));
+    CHECK(same_bits(read.prototypes->scale, model.prototypes->scale));
+    CHECK(same_bits(read.prototypes->centre, model.prototypes->centre));
+    model.feature_names.pop_back();
+    write_model(model, folder / "m.json");
+    CHECK(message_of([&] { read_model(folder / "m.json"); })
+              .ends_with("has the wrong length; one per feature: 3"));
+}
+
+TEST_CASE("a dataset in the place of a model is called one", "[model file]") {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "m.json", std::ios::binary) << "\x89HDF\r\n\x1a\nand so on";
+    CHECK(message_of([&] { read_model(folder / "m.json"); })
+              .ends_with("is a dataset (HDF5), not a model; a model (.json) belongs here"));
+    std::ofstream(folder / "m.json", std::ios::binary) << "{\n\"format\": \n]";
+    CHECK(message_of([&] { read_model(folder / "m.json"); })
+              .ends_with("is not valid JSON in line 3; name a model that train or study wrote"));
 }
 
 TEST_CASE("a model without hidden layers comes back too", "[model file]") {

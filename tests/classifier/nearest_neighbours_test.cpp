@@ -98,5 +98,14 @@ TEST_CASE("distances are those from the nearest of all prototypes", "[neighbours
     CHECK(prototype_distances(prototypes, far)[0] > 10.0);
 }
 
+TEST_CASE("prototypes that a model keeps measure the same distances", "[neighbours]") {
+    const FeatureTable rows = draw({});
+    const Prototypes prototypes = fit_prototypes(rows, {}, {.seed = 2, .purpose = "kept"});
+    const InputPrototypes flat = kept(prototypes);
+    CHECK(flat.centre.size() == 3 * 4 * rows.n_features);
+    CHECK(flat.centre[1] == prototypes.centre(1, 0));  // feature by feature, then the next one
+    CHECK(prototype_distances(prototypes_of(flat), rows) == prototype_distances(prototypes, rows));
+}
+
 }  // namespace
 }  // namespace specula

@@ -37,6 +37,8 @@ std::string failure(const Work& work) {
         work();
     } catch (const SystemError& error) {
         return error.what();
+    } catch (const InputError& error) {
+        return std::string("the user's: ") + error.what();
     }
     return "(no error)";
 }
@@ -114,7 +116,28 @@ TEST_CASE("a missing folder is made, a name below a file is refused", "[atomic f
     write_file_atomically(folder / "new" / "deep" / "x", "text");
     CHECK(content_of(folder / "new" / "deep" / "x") == "text");
     CHECK(failure([&] { write_file_atomically(folder / "new" / "deep" / "x" / "y", ""); }) ==
-          (folder / "new" / "deep" / "x").string() + ": cannot create: Not a directory");
+          "the user's: " + (folder / "new" / "deep" / "x").string() +
+              ": cannot create: Not a directory; give another place");
+}
+
+TEST_CASE("a place is tried before the work, and nothing is left in it", "[atomic file]") {
+    const TemporaryFolder folder;
+    check_output_place(folder / "new" / "x");
+    CHECK(std::filesystem::is_empty(folder / "new"));
+    write_file_atomically(folder / "x", "kept");
+    check_output_place(folder / "x");
+    CHECK(content_of(folder / "x") == "kept");
+    const auto problem = [](const std::filesystem::path& file) {
+        return failure([&] { check_output_place(file); });
+    };
+    CHECK(problem("/proc/specula.json") ==
+          "the user's: /proc/specula.json: cannot create: No such file or directory; give another "
+          "place");
+    CHECK(problem(folder / "new").find("is there, and is no file") != std::string::npos);
+    CHECK(problem(folder / std::string(300, 'x')).find("File name too long; give another place") !=
+          std::string::npos);
+    CHECK(failure([&] { make_output_folder(folder / "x"); }).find("Not a directory") !=
+          std::string::npos);
 }
 
 TEST_CASE("a symbolic link stays one, and what it names is replaced", "[atomic file]") {

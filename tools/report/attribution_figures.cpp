@@ -13,7 +13,7 @@ namespace {
 StudyFigure waterfall_figure(const StudySummary& study) {
     ForestContent content{
         .title = "Where the loss arises",
-        .second_line = "mean over worlds with 95\u00a0% interval; the loss is paired by worlds",
+        .second_line = "mean over worlds with 95\u00a0% interval over worlds and sessions; the loss is paired by worlds",
         .axis_title = "macro-F1 (%)",
         .series = {format("{} classes", study.class_names.size()), study.merged_label},
         .rows = {}};
@@ -58,7 +58,9 @@ StudyFigure sensitivity_figure(const StudySummary& study) {
         .figure = heat_figure("sensitivity", content),
         .caption = format("Sensitivity to what the paper leaves open, {} worlds each. Every row "
                           "is recorded and trained anew; the first is the study's own set of "
-                          "assumptions.",
+                          "assumptions. A row with another ratio of signal to noise names what "
+                          "that ratio gives nominally over the worlds it was searched on, which "
+                          "are more than those of the row.",
                           rows.front().domains.front().per_world.all.size()),
         .place = FigurePlace::attribution};
 }

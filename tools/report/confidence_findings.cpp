@@ -82,8 +82,8 @@ std::vector<Drift> drifts(const StudySummary& study) {
     std::vector<Drift> all;
     for (const StudyCondition& condition : study.conditions)
         if (condition.result.name != nominal_condition)
-            if (const auto value = descriptor_drift(study, condition))
-                all.push_back({&condition, *value});
+            if (const InputDrift* const drift = find_drift(study, condition.result.name))
+                all.push_back({&condition, drift->mean_shift.mean});
     return all;
 }
 
@@ -109,10 +109,10 @@ std::optional<Paragraph> monitor_finding(const StudySummary& study) {
     const auto largest = std::max_element(
         all.begin(), all.end(), [](const Drift& a, const Drift& b) { return a.value < b.value; });
     return Paragraph{
-        .lead = "Drift of the inputs.",
+        .lead = "Mean shift of the inputs.",
         .text =
-            format("On average over classes and features, the mean descriptor moves, in nominal "
-                   "standard deviations, by {}. It moves most {}.",
+            format("On average over features and worlds, the mean of an input moves from that of "
+                   "the training frames, in their standard deviations, by {}. It moves most {}.",
                    listed(items), where(*largest->condition))};
 }
 

@@ -160,14 +160,14 @@ std::string curve_script(const CurveContent& content) {
 }
 
 std::string curve_csv(const CurveContent& content) {
-    CsvTable table({"x_axis", "curve", "x", "y", "low", "high"});
+    CsvTable table({"x_axis", "curve", "x", "y_share", "low_share", "high_share"});
+    const auto share = [](double percent) { return format("{:.6g}", 0.01 * percent); };
     for (const CurvePanel& panel : content.panels)
         for (const Curve& curve : panel.curves)
             for (std::size_t k = 0; k < curve.x.size(); ++k)
                 table.add({panel.x_title, curve.label, format("{:.6g}", curve.x[k]),
-                           format("{:.6g}", curve.y[k]),
-                           curve.low.empty() ? "" : format("{:.6g}", curve.low[k]),
-                           curve.high.empty() ? "" : format("{:.6g}", curve.high[k])});
+                           share(curve.y[k]), curve.low.empty() ? "" : share(curve.low[k]),
+                           curve.high.empty() ? "" : share(curve.high[k])});
     return table.text();
 }
 

@@ -31,7 +31,8 @@ struct CurveContent {
     std::vector<CurvePanel> panels{};  ///< one to three, beside each other
 };
 
-/// Curves with their bands, markers at the points; the legend names each label once.
+/// Curves with their bands, markers at the points; the legend names each label once. y is in
+/// percent; the table of the data holds shares.
 Figure curve_figure(const std::string& name, const CurveContent& content);
 
 }  // namespace specula

@@ -144,7 +144,7 @@ std::string f1_curves() {
 }
 
 std::string csv(const F1Rows& content) {
-    CsvTable table({"condition", "classes", "what", "world", "macro_f1", "low", "high"});
+    CsvTable table({"condition", "classes", "what", "world", "macro_f1_share", "low_share", "high_share"});
     const auto add = [&](const F1Row& row, const std::string& classes, const Interval& mean,
                          const std::vector<double>& worlds) {
         table.add({row.name, classes, "mean", "", format("{}", mean.mean), format("{}", mean.low),

@@ -29,7 +29,7 @@ ForestLayout forest_layout(const ForestContent& content) {
     double label_px = 0.0;
     for (const ForestRow& row : content.rows)
         label_px = std::max(label_px, text_width_px(row.label, figure_font_px, row.emphasised));
-    const double left = std::min(label_px + label_gap_px + 14.0, 0.62 * forest_px);
+    const double left = std::min(1.03 * label_px + label_gap_px + 22.0, 0.62 * forest_px);
     const bool has_legend = content.series.size() > 1 || !content.band_label.empty();
     const double top = has_legend ? 78.0 : 54.0;
     const double pitch_px = lane_px(content) * (static_cast<double>(content.series.size()) + 1.0);
@@ -120,15 +120,17 @@ std::string forest_script(const ForestContent& content) {
 }
 
 std::string forest_csv(const ForestContent& content) {
-    CsvTable table({"row", "series", "mean", "low", "high", "band_low", "band_high"});
+    const std::string& unit = content.csv_unit;
+    CsvTable table({"row", "series", "mean_" + unit, "low_" + unit, "high_" + unit,
+                    "band_low_" + unit, "band_high_" + unit});
+    const auto number = [&](double value) { return format("{:.6g}", content.csv_scale * value); };
     for (const ForestRow& row : content.rows)
         for (std::size_t i = 0; i < content.series.size(); ++i) {
             const auto& value = row.values[i];
             if (!value) continue;
-            table.add({row.label, content.series[i], format("{:.6g}", value->mean),
-                       format("{:.6g}", value->low), format("{:.6g}", value->high),
-                       row.band ? format("{:.6g}", (*row.band)[0]) : "",
-                       row.band ? format("{:.6g}", (*row.band)[1]) : ""});
+            table.add({row.label, content.series[i], number(value->mean), number(value->low),
+                       number(value->high), row.band ? number((*row.band)[0]) : "",
+                       row.band ? number((*row.band)[1]) : ""});
         }
     return table.text();
 }

@@ -25,6 +25,9 @@ struct ForestContent {
     std::vector<ForestRow> rows{};
     std::optional<double> reference{};  ///< a line from top to bottom
     std::string band_label{};           ///< for the legend; empty: there are no bands
+    /// What the table of the data is in: 0.01 of the axis' percents, or the axis' own unit.
+    std::string csv_unit = "share";
+    double csv_scale = 0.01;
 };
 
 /// Intervals beside the names of what they belong to, one lane per series; grey bars are the bands.

@@ -14,11 +14,12 @@ namespace specula {
 namespace {
 
 constexpr double heat_px = 912.0, heat_row_px = 24.0, panel_gap_px = 18.0, column_label_px = 10.0;
+constexpr double title_line_px = 16.0;
 
 struct HeatLayout {
     Canvas canvas;
     double left, top, panel_width_px;
-    std::size_t column_lines;
+    bool upright;  ///< columns too narrow for their names, which then stand on end
 
     PixelBox box(std::size_t panel, std::size_t n_rows) const {
         const double x = left + static_cast<double>(panel) * (panel_width_px + panel_gap_px);
@@ -30,20 +31,30 @@ HeatLayout heat_layout(const HeatContent& content) {
     double label_px = 0.0;
     for (const std::string& row : content.rows)
         label_px = std::max(label_px, text_width_px(row, figure_font_px, true));
-    const double left = std::min(label_px + 24.0, 0.5 * heat_px);
+    const double left = std::min(label_px + 34.0, 0.5 * heat_px);
     const auto n_panels = static_cast<double>(content.panels.size());
     const double width = (heat_px - left - 10.0 - (n_panels - 1.0) * panel_gap_px) / n_panels;
     const double column_px = width / static_cast<double>(content.columns.size());
-    std::size_t lines = 1;
-    for (const std::string& column : content.columns)
-        lines = std::max(lines, wrapped(column, column_px + 4.0).size());
-    const double top = 74.0 + 14.0 * static_cast<double>(lines);
+    std::size_t lines = 1, title_lines = 1;
+    bool upright = false;
+    double upright_px = 0.0;
+    for (const std::string& column : content.columns) {
+        const auto words = wrapped(column, column_px + 4.0);
+        lines = std::max(lines, words.size());
+        for (const std::string& word : words)
+            upright = upright || text_width_px(word, column_label_px) > column_px;
+        upright_px = std::max(upright_px, text_width_px(column, column_label_px) + 18.0);
+    }
+    for (const HeatPanel& panel : content.panels)
+        title_lines = std::max(title_lines, wrapped(panel.title, width, true).size());
+    const double top = 74.0 + title_line_px * static_cast<double>(title_lines - 1) +
+                       (upright ? upright_px : 14.0 * static_cast<double>(lines));
     const double rows = static_cast<double>(content.rows.size());
     return {.canvas = {.width_px = heat_px, .height_px = top + heat_row_px * rows + 36.0},
             .left = left,
             .top = top,
             .panel_width_px = width,
-            .column_lines = lines};
+            .upright = upright};
 }
 
 std::string heat_column_labels(const HeatContent& content, const HeatLayout& layout,
@@ -51,6 +62,15 @@ std::string heat_column_labels(const HeatContent& content, const HeatLayout& lay
     std::string text;
     const double column_px = layout.panel_width_px / static_cast<double>(content.columns.size());
     for (std::size_t i = 0; i < content.columns.size(); ++i) {
+        if (layout.upright) {
+            text += layout.canvas.label(
+                {.text = content.columns[i],
+                 .x_px = box.left + column_px * (static_cast<double>(i) + 0.5),
+                 .y_px = layout.top - 8.0,
+                 .size_px = column_label_px,
+                 .upwards = true});
+            continue;
+        }
         const auto lines = wrapped(content.columns[i], column_px + 4.0);
         for (std::size_t line = 0; line < lines.size(); ++line)
             text += layout.canvas.label(
@@ -76,13 +96,23 @@ std::string heat_block(const HeatPanel& panel, std::size_t index) {
     return block + "END\n";
 }
 
+/// In as many lines as the panel's width asks for.
+std::string heat_title(const HeatLayout& layout, const PixelBox& box, const std::string& title) {
+    std::string text;
+    double y_px = 56.0;
+    for (const std::string& line : wrapped(title, layout.panel_width_px, true)) {
+        text += layout.canvas.label({.text = line, .x_px = box.left, .y_px = y_px, .bold = true});
+        y_px += title_line_px;
+    }
+    return text;
+}
+
 std::string heat_panel(const HeatContent& content, const HeatLayout& layout, std::size_t index) {
     const PixelBox box = layout.box(index, content.rows.size());
     std::string text =
         heat_block(content.panels[index], index) + layout.canvas.frame(box) +
         heat_column_labels(content, layout, box) +
-        layout.canvas.label(
-            {.text = content.panels[index].title, .x_px = box.left, .y_px = 56.0, .bold = true}) +
+        heat_title(layout, box, content.panels[index].title) +
         layout.canvas.label({.text = content.column_title,
                              .x_px = 0.5 * (box.left + box.right),
                              .y_px = box.bottom + 18.0,

@@ -88,10 +88,10 @@ std::string agreement_text(const StudySummary& study, const StudyCondition& cond
                 mean_offset(result, paper), range_text(world_range(result)));
             break;
         default:
-            text += format(
-                ", outside the interval: {}. No single world reaches it; they range from "
-                "{}.",
-                mean_offset(result, paper), range_text(world_range(result)));
+            text += format(", outside the interval: {}. All worlds lie {} it; they range from {}.",
+                           mean_offset(result, paper),
+                           world_range(result).low > paper ? "above" : "below",
+                           range_text(world_range(result)));
     }
     text += " " + world_count(result, paper);
     if (is_calibrated(study, condition))

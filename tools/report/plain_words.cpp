@@ -62,27 +62,61 @@ void say_percentiles(const StudySummary& study, std::vector<Paragraph>& words) {
         words.push_back({.lead = "The paper\u2019s tilt figure.", .text = text + "."});
 }
 
+std::string with_interval(const Interval& share) {
+    return format("{} (95\u00a0% interval over worlds {})", percent_text(share.mean),
+                  range_number(share));
+}
+
+/// On which worlds the rung was chosen, and on which its scores are counted.
+std::string chosen_text(const StudySummary& study, const LadderRung& rung) {
+    const std::size_t n_all = rung.domains.front().per_world.merged.size();
+    const std::size_t n_choosing = study.results.choosing_worlds.size();
+    const std::string rule = format(
+        "\u201c{}\u201d is the rung whose worst condition, with {}, is best (of equals within half a "
+        "point the cheapest)",
+        rung.title, study.merged_label);
+    if (rung.confirmed.empty())
+        return rule + ", on the very worlds whose scores follow: a selected figure, not a fair one.";
+    return rule + format(
+                      " on {} of the {} worlds. The others, which had no say in it, give:",
+                      n_choosing, n_all);
+}
+
+/// The price: classes that the rung does not tell apart.
+std::string five_class_text(const StudySummary& study,
+                            const std::vector<DomainScore>& domains) {
+    const DomainScore& paper = study.results.ladder.front().domains.front();
+    const DomainScore& random = domains.front();
+    std::string text = format(
+        " With all {} classes apart it scores {} on random frames, where the paper\u2019s classifier "
+        "scores {}, and {} or more in every condition.",
+        study.class_names.size(), with_interval(random.all), percent_text(paper.all.mean),
+        percent_text(worst_of(domains).all.mean));
+    if (random.merged.mean - random.all.mean > 0.5 * (1.0 - random.all.mean))
+        text += format(" Most of what is missing there is {} taken for each other.",
+                       merged_names(study));
+    return text;
+}
+
 void say_remedy(const StudySummary& study, std::vector<Paragraph>& words) {
     for (const LadderRung& rung : study.results.ladder) {
         if (!rung.recommended) continue;
+        const auto& domains = rung.confirmed.empty() ? rung.domains : rung.confirmed;
         std::vector<std::string> missing;
-        double worst = 1.0, worst_all = 1.0;
-        for (const DomainScore& score : rung.domains) {
-            worst = std::min(worst, score.merged.mean);
-            worst_all = std::min(worst_all, score.all.mean);
+        for (const DomainScore& score : domains)
             if (score.merged.mean < recovered)
                 missing.push_back(
                     format("{} ({})", short_title(score.domain), percent_text(score.merged.mean)));
-        }
-        std::string text = format(
-            "\u201c{}\u201d is the rung whose worst condition is best: with {}, {} or more in "
-            "every "
-            "condition; with all classes, {} or more. It takes {} inputs, {} multiplications and "
-            "an "
-            "estimated {:.0f} to {:.0f}\u00a0\u00b5s after the range profile.",
-            rung.title, study.merged_label, percent_text(worst), percent_text(worst_all),
-            rung.cost.n_features, count_text(static_cast<std::int64_t>(rung.cost.multiplications)),
-            rung.cost.low_us, rung.cost.high_us);
+        std::string text =
+            chosen_text(study, rung) +
+            format(" {} in its worst condition, merged.", with_interval(worst_of(domains).merged)) +
+            five_class_text(study, domains) +
+            format(
+                " It takes {} inputs, {} multiplications and an estimated {:.0f} to "
+                "{:.0f}\u00a0\u00b5s after the range profile.",
+                rung.cost.n_features,
+                count_text(static_cast<std::int64_t>(rung.cost.multiplications)), rung.cost.low_us,
+                rung.cost.high_us);
         if (!missing.empty())
             text += format(" Below {}: {}.", percent_text(recovered), listed(missing));
         words.push_back({.lead = "The repair.", .text = text});
@@ -112,19 +146,38 @@ void say_detectors(const StudySummary& study, std::vector<Paragraph>& words) {
 }
 
 void say_checks(const StudySummary& study, std::vector<Paragraph>& words) {
-    std::size_t n_judged = 0;
+    std::size_t n_judged = 0, n_weak = 0;
     std::vector<std::string> failed;
     for (const HonestyCheck& check : study.results.checks) {
         if (!check.band) continue;
         ++n_judged;
+        n_weak += check.passed && check.is_weak();
         if (!check.passed) failed.push_back("\u201c" + check.title + "\u201d");
     }
     if (n_judged == 0) return;
-    words.push_back({.lead = "Can this be believed?",
-                     .text = failed.empty()
-                                 ? format("All {} honesty checks that have a band pass.", n_judged)
-                                 : format("Of {} honesty checks with a band, {} fail: {}.",
-                                          n_judged, failed.size(), listed(failed))});
+    std::string text = failed.empty()
+                           ? format("All {} honesty checks that have a band pass.", n_judged)
+                           : format("Of {} honesty checks with a band, {} fail: {}.", n_judged,
+                                    failed.size(), listed(failed));
+    if (n_weak > 0)
+        text += format(
+            " {} of them {} weakly: over fewer than {} worlds, or by an interval wider than the "
+            "band.",
+            n_weak, n_weak == 1 ? "passes" : "pass", few_worlds);
+    words.push_back({.lead = "Can this be believed?", .text = text});
+}
+
+/// A look at whether all works is no result.
+void say_few_worlds(const StudySummary& study, std::vector<Paragraph>& words) {
+    const StudyCondition* nominal = find_condition(study, nominal_condition);
+    if (!nominal) return;
+    const std::size_t n = nominal->result.macro_f1_per_world.size();
+    if (n >= few_worlds) return;
+    words.push_back(
+        {.lead = "Weak evidence.",
+         .text = format("This run simulated {} {} only. Its intervals are hardly any, its checks pass "
+                        "easily, and no number below is a result; run the study without --quick.",
+                        n, n == 1 ? "world" : "worlds")});
 }
 
 }  // namespace
@@ -158,6 +211,7 @@ Paragraph calibration_words(const CalibrationOutcome& outcome) {
 
 std::vector<Paragraph> plain_words(const StudySummary& study) {
     std::vector<Paragraph> words;
+    say_few_worlds(study, words);
     say_failure(study, words);
     say_leak(study, words);
     say_percentiles(study, words);

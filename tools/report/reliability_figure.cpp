@@ -1,5 +1,7 @@
 #include "tools/report/reliability_figure.hpp"
 
+#include <algorithm>
+
 #include "sim/core/format.hpp"
 #include "tools/report/canvas.hpp"
 #include "tools/report/csv_table.hpp"
@@ -9,7 +11,7 @@
 namespace specula {
 namespace {
 
-constexpr Canvas reliability_canvas{.width_px = 480, .height_px = 462};
+constexpr Canvas reliability_canvas{.width_px = 480, .height_px = 482};
 constexpr PixelBox reliability_area{.left = 56, .top = 52, .right = 464, .bottom = 356};
 constexpr std::size_t raw_series = 0, scaled_series = 2;
 constexpr double bar_height = 18.0;  // percent of the axis that the fullest bin's bar takes
@@ -50,6 +52,14 @@ std::string legends(const ReliabilityCurves& curves) {
     std::string text =
         legend_row(reliability_canvas, x, y, {curve_entry("as trained", curves.raw, raw_series)})
             .commands;
+    std::size_t most = 0;
+    for (const ReliabilityBin& bin : curves.raw.bins) most = std::max(most, bin.n);
+    const double below = curves.temperature == 1.0 ? 20.0 : 40.0;
+    text += legend_row(reliability_canvas, x, y + below,
+                       {{.label = format("frames as trained in the bin; the highest bar: {}", most),
+                         .colour = rule_colour,
+                         .marker = Marker::patch}})
+                .commands;
     if (curves.temperature == 1.0) return text;
     const std::string label = format("temperature {}", fixed_text(curves.temperature, 2));
     return text + legend_row(reliability_canvas, x, y + 20,
@@ -83,7 +93,7 @@ std::string plot(const ReliabilityCurves& curves) {
 }
 
 std::string csv(const ReliabilityCurves& curves) {
-    CsvTable table({"curve", "temperature", "bin", "n", "confidence", "accuracy"});
+    CsvTable table({"curve", "temperature", "bin", "n_frames", "confidence_share", "accuracy_share"});
     const auto add = [&](const std::string& curve, double temperature,
                          const Reliability& reliability) {
         for (std::size_t b = 0; b < reliability.bins.size(); ++b) {

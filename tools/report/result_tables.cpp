@@ -12,7 +12,8 @@ std::string kibibytes(std::size_t bytes) {
 }
 
 std::string verdict(const HonestyCheck& check) {
-    return !check.band ? "reported" : check.passed ? "passed" : "FAILED";
+    if (!check.band) return "reported";
+    return format("{}{}", check.passed ? "passed" : "FAILED", check.is_weak() ? ", weak" : "");
 }
 
 std::string band_text(const HonestyCheck& check) {
@@ -35,12 +36,21 @@ ReportTable fallback_table(const StudySummary& study) {
     for (const FallbackScore& score : study.results.fallback)
         table.rows.push_back(
             {short_title(score.domain), percent_number(score.answered.mean),
-             score.answered.mean > 0.0 ? percent_number(score.accuracy.mean) : "\u2013",
+             score.accuracy ? percent_number(score.accuracy->mean) : "\u2013",
              percent_number(score.accuracy_all.mean)});
     return table;
 }
 
 }  // namespace
+
+WorstScores worst_of(const std::vector<DomainScore>& domains) {
+    WorstScores worst{.all = domains.front().all, .merged = domains.front().merged};
+    for (const DomainScore& score : domains) {
+        if (score.all.mean < worst.all.mean) worst.all = score.all;
+        if (score.merged.mean < worst.merged.mean) worst.merged = score.merged;
+    }
+    return worst;
+}
 
 std::vector<ReportTable> part_tables(const StudySummary& study) {
     if (study.parts.empty()) return {};
@@ -94,26 +104,29 @@ std::vector<ReportTable> remedy_tables(const StudySummary& study) {
                     {"Costs", "multi\u00adplications"},
                     {"Costs", "KiB"},
                     {"Costs", "\u00b5s, estimated"},
+                    {"Random frames (%)", "all"},
+                    {"Random frames (%)", "95\u00a0%\u00a0interval"},
                     {"Worst condition (%)", "all"},
-                    {"Worst condition (%)", "merged"}},
+                    {"Worst condition (%)", "merged"},
+                    {"Worst condition (%)", "95\u00a0%\u00a0interval, merged"}},
         .rows = {},
         .note =
-            "Same worlds, frames, rows and steps for all, but where a title says more; no "
-            "selection, the network of the "
-            "last epoch counts. The time of several looks is that of one, at an eighth of the "
+            "Same worlds, frames, rows and steps for all, but where a title says more; the network "
+            "of the last epoch counts. Intervals are over worlds. Recommended is what does best "
+            "on every other world; the table is over all, the summary gives the rest alone. The "
+            "time of several looks is that of one, at an eighth of the "
             "rate of answers."};
     for (const LadderRung& rung : ladder) {
-        double worst = 1.0, worst_merged = 1.0;
-        for (const DomainScore& score : rung.domains) {
-            worst = std::min(worst, score.all.mean);
-            worst_merged = std::min(worst_merged, score.merged.mean);
-        }
+        const WorstScores worst = worst_of(rung.domains);
+        const Interval& random = rung.domains.front().all;
         table.rows.push_back({rung.title + (rung.recommended ? " (recommended)" : ""),
                               format("{}", rung.cost.n_features),
                               count_text(static_cast<std::int64_t>(rung.cost.multiplications)),
                               kibibytes(rung.cost.model_bytes),
                               format("{:.0f} to {:.0f}", rung.cost.low_us, rung.cost.high_us),
-                              percent_number(worst), percent_number(worst_merged)});
+                              percent_number(random.mean), range_number(random),
+                              percent_number(worst.all.mean), percent_number(worst.merged.mean),
+                              range_number(worst.merged)});
     }
     return {table};
 }
@@ -139,7 +152,8 @@ std::vector<ReportTable> severity_tables(const StudySummary& study) {
 
 std::vector<ReportTable> check_tables(const StudySummary& study) {
     if (study.results.checks.empty()) return {};
-    ReportTable table{.caption = "Honesty checks. A check passes if its interval reaches its band.",
+    ReportTable table{.caption = "Honesty checks. A check passes if its 95\u00a0% interval over worlds "
+                                 "reaches its band.",
                       .columns = {{"", "Check", false},
                                   {"", "Value (%)"},
                                   {"", "95\u00a0%\u00a0interval"},
@@ -147,7 +161,9 @@ std::vector<ReportTable> check_tables(const StudySummary& study) {
                                   {"", "Verdict", false},
                                   {"", "Why", false}},
                       .rows = {},
-                      .note = {}};
+                      .note = format("Weak: the interval is over fewer than {} worlds, or wider "
+                                     "than its band, so that passing says little.",
+                                     few_worlds)};
     for (const HonestyCheck& check : study.results.checks)
         table.rows.push_back({check.title, percent_number(check.value.mean),
                               range_number(check.value), band_text(check), verdict(check),

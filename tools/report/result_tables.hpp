@@ -16,6 +16,13 @@ std::vector<ReportTable> severity_tables(const StudySummary& study);     ///< he
 std::vector<ReportTable> check_tables(const StudySummary& study);        ///< with verdicts
 std::vector<ReportTable> confidence_tables(const StudySummary& study);   ///< confidence, fallback
 
+/// The conditions in which a rung does worst, classes apart and merged.
+struct WorstScores {
+    Interval all, merged;
+};
+/// @in  domains  at least one
+WorstScores worst_of(const std::vector<DomainScore>& domains);
+
 /// What was found, in plain words and full sentences, for the first page. Where an interval
 /// includes zero no effect is claimed.
 std::vector<Paragraph> plain_words(const StudySummary& study);

@@ -48,7 +48,7 @@ std::string script(const std::string& title, const std::string& second_line,
 
 Figure risk_coverage_figure(const std::string& name, const std::string& title,
                             const RiskCoverage& curve) {
-    CsvTable table({"coverage", "risk"});
+    CsvTable table({"coverage_share", "risk_share"});
     for (const std::size_t k : drawn_points(curve))
         table.add({format("{}", curve.coverage(k)), format("{}", curve.risk[k])});
     const std::string second_line =

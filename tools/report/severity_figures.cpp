@@ -17,6 +17,41 @@ std::string tilt_text(double tilt_rad) {
     return format("{:.0f}\u00b0", tilt_rad * 180.0 / pi);
 }
 
+std::string world_text(const SeverityGrid& grid) {
+    return format("{} {}", grid.n_worlds, grid.n_worlds == 1 ? "world" : "worlds");
+}
+
+/// Room for a marker at either end.
+std::array<double, 2> padded(double low, double high) {
+    const double margin = 0.03 * (high - low);
+    return {low - margin, high + margin};
+}
+
+/// Where the second classifier, good under other geometry, is worse under another receiver.
+std::string receiver_losses(const SeverityGrid& grid) {
+    if (grid.classifiers.size() < 2) return {};
+    std::size_t n = 0, n_below = 0, n_snr = 0, n_snr_below = 0;
+    for (const SeverityCell& cell : grid.cells) {
+        if (cell.receiver.empty()) continue;
+        const bool below = cell.all[1] < cell.all[0];
+        const bool is_snr = cell.receiver.starts_with("snr");
+        ++n;
+        n_below += below;
+        n_snr += is_snr;
+        n_snr_below += is_snr && below;
+    }
+    if (n == 0) return {};
+    std::string text =
+        format(" With all classes apart, \u201c{}\u201d scores below \u201c{}\u201d in {} of these {} "
+               "cells",
+               grid.classifiers[1], grid.classifiers[0], n_below, n);
+    if (n_snr > 0)
+        text += n_snr_below == n_snr ? ", at every ratio of signal to noise among them"
+                                     : format(", at {} of {} ratios of signal to noise among them",
+                                              n_snr_below, n_snr);
+    return text + ".";
+}
+
 StudyFigure severity_map(const SeverityGrid& grid) {
     HeatContent content{.title = "Severity grid: height and tilt of the sensor",
                         .second_line = "macro-F1 (%), all classes, mean over worlds",
@@ -39,8 +74,10 @@ StudyFigure severity_map(const SeverityGrid& grid) {
     }
     return {.figure = heat_figure("severity", content),
             .caption =
-                "Severity over height (rows) and tilt (columns): the known samples, in "
-                "sessions of their own.",
+                format("Severity over height (rows) and tilt (columns): the known samples of the "
+                       "first {}, in sessions of their own, one per class and cell; single cells "
+                       "scatter accordingly.",
+                       world_text(grid)),
             .place = FigurePlace::severity};
 }
 
@@ -60,27 +97,29 @@ Curve along(const SeverityGrid& grid, std::size_t classifier, bool over_height) 
 
 StudyFigure severity_curves(const SeverityGrid& grid) {
     CurveContent content{.title = "Along height and along tilt",
-                         .second_line = "mean over worlds, band: 95\u00a0% interval",
+                         .second_line = "mean over worlds, band: 95\u00a0% interval over worlds",
                          .y_title = "macro-F1, all classes (%)",
                          .panels = {{.x_title = "height off the nominal one (cm)",
-                                     .x_range = {100.0 * grid.height_offsets_m.front(),
-                                                 100.0 * grid.height_offsets_m.back()},
+                                     .x_range = padded(100.0 * grid.height_offsets_m.front(),
+                                                       100.0 * grid.height_offsets_m.back()),
                                      .curves = {}},
                                     {.x_title = "tilt of the sensor (degrees)",
-                                     .x_range = {0.0, grid.tilts_rad.back() * 180.0 / pi},
+                                     .x_range = padded(0.0, grid.tilts_rad.back() * 180.0 / pi),
                                      .curves = {}}}};
     for (std::size_t i = 0; i < grid.classifiers.size(); ++i) {
         content.panels[0].curves.push_back(along(grid, i, true));
         content.panels[1].curves.push_back(along(grid, i, false));
     }
     return {.figure = curve_figure("severity_curves", content),
-            .caption = "Macro-F1 along height without tilt, and along tilt at the nominal height.",
+            .caption = format("Macro-F1 along height without tilt, and along tilt at the nominal "
+                              "height, {}.",
+                              world_text(grid)),
             .place = FigurePlace::severity};
 }
 
 StudyFigure receiver_forest(const SeverityGrid& grid) {
     ForestContent content{.title = "Severities of the receiver and the room",
-                          .second_line = "mean over worlds with 95\u00a0% interval",
+                          .second_line = "mean over worlds with 95\u00a0% interval over worlds",
                           .axis_title = "macro-F1, all classes (%)",
                           .series = grid.classifiers,
                           .rows = {}};
@@ -92,9 +131,10 @@ StudyFigure receiver_forest(const SeverityGrid& grid) {
         content.rows.push_back(row);
     }
     return {.figure = forest_figure("severity_receiver", content),
-            .caption =
-                "Gain, signal-to-noise ratio and clutter off their nominal values, at the "
-                "nominal geometry.",
+            .caption = format("Gain, signal-to-noise ratio and clutter off their nominal values, at "
+                              "the nominal geometry, {}.",
+                              world_text(grid)) +
+                       receiver_losses(grid),
             .place = FigurePlace::severity};
 }
 

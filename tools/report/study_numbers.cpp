@@ -62,21 +62,10 @@ double share_above(const std::array<std::int64_t, ConfidenceHistogram::n_bins>& 
                  std::accumulate(counts.begin(), counts.end(), std::int64_t{0}));
 }
 
-std::optional<double> descriptor_drift(const StudySummary& study, const StudyCondition& condition) {
-    const StudyCondition* nominal = find_condition(study, nominal_condition);
-    if (nominal == nullptr || nominal->features.empty() || condition.features.empty()) return {};
-    SPECULA_EXPECT(nominal->features.size() == condition.features.size());
-    double sum = 0.0;
-    std::size_t n = 0;
-    for (std::size_t i = 0; i < condition.features.size(); ++i)
-        for (std::size_t bin = 0; bin < condition.features[i].mean.size(); ++bin) {
-            const double sd = nominal->features[i].sd.at(bin);
-            if (!(sd > 0.0)) continue;
-            sum +=
-                std::abs(condition.features[i].mean[bin] - nominal->features[i].mean.at(bin)) / sd;
-            ++n;
-        }
-    return n > 0 ? std::optional<double>(sum / static_cast<double>(n)) : std::nullopt;
+const InputDrift* find_drift(const StudySummary& study, std::string_view condition) {
+    for (const InputDrift& drift : study.results.drift)
+        if (drift.domain == condition) return &drift;
+    return nullptr;
 }
 
 double echo_bin(const RadarFacts& radar, double height_m) {

@@ -26,8 +26,8 @@ MergedClasses merged_classes(const Confusion& confusion, const std::vector<std::
 double share_above(const std::array<std::int64_t, ConfidenceHistogram::n_bins>& counts,
                    std::size_t first_bin);
 
-/// Mean over classes and features of |mean - nominal mean| / nominal sd; empty if not recorded.
-std::optional<double> descriptor_drift(const StudySummary& study, const StudyCondition& condition);
+/// How far the inputs of a condition have moved, or nullptr where that was not measured.
+const InputDrift* find_drift(const StudySummary& study, std::string_view condition);
 
 /// Where the echo of a flat sample at this height lies, in range bins.
 double echo_bin(const RadarFacts& radar, double height_m);

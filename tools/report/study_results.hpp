@@ -40,13 +40,23 @@ struct CalibrationOutcome {
     std::string hash{};                          ///< of the frozen file; empty until it is frozen
 };
 
+/// An interval over fewer worlds than this is hardly one.
+inline constexpr std::size_t few_worlds = 4;
+
 /// A statement about the study itself that must hold if its results mean what they say.
 struct HonestyCheck {
     std::string name{}, title{};
     Interval value{};                             ///< share in [0, 1]
-    std::optional<std::array<double, 2>> band{};  ///< to be reached by the interval; none: reported
+    std::optional<std::array<double, 2>> band{};  ///< the interval must reach it; none: reported
     bool passed = true;
-    std::string reason{};  ///< why the band lies there, or what the number says
+    std::string reason{};      ///< why the band lies there, or what the number says
+    std::size_t n_worlds = 0;  ///< that the interval is drawn over; 0: no interval
+
+    /// Passing says little: few worlds, or an interval wider than the band that it had to reach.
+    bool is_weak() const {
+        return band && n_worlds > 0 &&
+               (n_worlds < few_worlds || value.high - value.low > (*band)[1] - (*band)[0]);
+    }
 };
 
 /// Where the loss from the validation split to a shifted geometry arises.
@@ -99,6 +109,7 @@ struct SeverityGrid {
     std::vector<SeverityCell> cells{};
     std::vector<double> mean_all{}, mean_merged{};  ///< (classifier), over all shifted cells
     std::vector<double> relative_error{};  ///< (classifier), summed error over the baseline's
+    std::size_t n_worlds = 0;
 };
 
 /// What a classifier costs on the chip.
@@ -119,6 +130,8 @@ struct LadderRung {
     std::vector<Interval> gain{};         ///< (domain), over the baseline, paired by worlds
     std::vector<Interval> gain_merged{};  ///< (domain)
     bool recommended = false;
+    /// (domain), over the worlds that had no say in what is recommended; empty: all had.
+    std::vector<DomainScore> confirmed{};
 };
 
 /// How well a score tells frames of a domain from those of the nominal recording made anew.
@@ -131,8 +144,15 @@ struct DetectorScore {
 struct FallbackScore {
     std::string domain{};
     Interval answered{};  ///< share of frames
-    Interval accuracy{};  ///< of the answered ones; worlds without any left out
+    std::optional<Interval> accuracy{};  ///< of the answered ones; worlds without any left out
     Interval accuracy_all{};
+};
+
+/// Answers of about one confidence.
+struct ReliabilityPoint {
+    double confidence = 0.0;  ///< mean
+    Interval accuracy{};      ///< share that is right; worlds resampled
+    std::size_t n = 0;        ///< answers
 };
 
 /// How far confidence can be believed in one domain, all worlds together.
@@ -141,11 +161,11 @@ struct ConfidenceQuality {
     double ece = 0.0, ece_scaled = 0.0;  ///< expected calibration error, raw and with temperature
     double nll = 0.0, brier = 0.0;
     double aurc = 0.0, coverage_at_5_percent = 0.0;
-    std::vector<std::array<double, 2>> reliability{};  ///< (bin) -> confidence, accuracy
-    std::vector<std::array<double, 2>> risk{};         ///< (point) -> coverage, risk
+    std::vector<ReliabilityPoint> reliability{};  ///< bins that hold an answer
+    std::vector<std::array<double, 2>> risk{};    ///< (point) -> coverage, risk
 };
 
-/// How far the inputs of a domain are from those of the training.
+/// How far the inputs of a domain are from those of the training, world by world.
 struct InputDrift {
     std::string domain{};
     Interval psi{}, discrepancy{}, mean_shift{};  ///< PSI mean over features; MMD squared; sd
@@ -163,6 +183,7 @@ struct StudyResults {
     std::vector<PaperPercentile> percentiles{};
     SeverityGrid severity{};
     std::vector<LadderRung> ladder{};
+    std::vector<std::size_t> choosing_worlds{};  ///< that decide which rung is recommended
     std::vector<DetectorScore> detectors{};
     std::vector<FallbackScore> fallback{};
     double temperature = 1.0;  ///< fitted on nominal frames, mean over worlds

@@ -60,11 +60,11 @@ ReportTable macro_f1_table(const StudySummary& study) {
 ReportTable monitor_table(const StudySummary& study) {
     ReportTable table{
         .caption =
-            "What could warn of a shift. Drift: mean over classes and features of the change of "
-            "the mean descriptor, in nominal standard deviations. Overconfidence: mean "
-            "confidence minus share of correct frames.",
+            "What could warn of a shift. Mean shift: how far the mean of a feature has moved from "
+            "the training frames, in their standard deviations; mean over features and worlds. "
+            "Overconfidence: mean confidence minus share of correct frames.",
         .columns = {{"", "Condition", false},
-                    {"", "Drift (nominal sd)"},
+                    {"", "Mean shift (sd of training)"},
                     {"", "Mean confidence (%)"},
                     {"", "Correct frames (%)"},
                     {"", "Overconfidence (points)"}},
@@ -72,9 +72,9 @@ ReportTable monitor_table(const StudySummary& study) {
         .note = {}};
     for (const StudyCondition& condition : study.conditions) {
         const ConditionReport& result = condition.result;
-        const auto drift = descriptor_drift(study, condition);
+        const InputDrift* const drift = find_drift(study, result.name);
         const double correct = accuracy(result.confusion);
-        table.rows.push_back({result.title, drift ? fixed_text(*drift, 2) : none,
+        table.rows.push_back({result.title, drift ? fixed_text(drift->mean_shift.mean, 2) : none,
                               percent_number(result.mean_confidence.mean), percent_number(correct),
                               signed_text(100.0 * (result.mean_confidence.mean - correct), 1)});
     }

@@ -138,6 +138,7 @@ struct EvaluateArguments {
     std::filesystem::path figure;     ///< folder to draw in; empty: none
     std::vector<std::string> merged;  ///< classes that count as one
     std::string nominal;              ///< dataset of nominal sessions recorded anew; empty: none
+    std::vector<std::string> given;   ///< options of training and cross-validation in use
     Learning learning;
 };
 void evaluate_command(const EvaluateArguments& arguments, const Catalogue& catalogue);

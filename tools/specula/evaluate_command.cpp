@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdio>
+#include <set>
 
 #include "classifier/assessment.hpp"
 #include "classifier/model_file.hpp"
@@ -40,7 +41,7 @@ struct Judge {
 
 Answered answer(const std::string& file, const Judge& judge) {
     const Model& model = judge.model;
-    const Dataset dataset = read_dataset(file);
+    const Dataset dataset = dataset_from(file);
     if (model.class_names != dataset.class_names)
         throw InputError(
             format("{}: class_names: are not those of {}; use data of the same "
@@ -66,6 +67,10 @@ std::vector<int> merged_map(const std::vector<std::string>& merged,
         if (std::ranges::find(class_names, name) == class_names.end())
             throw InputError(format("--merge: \"{}\" is no class of the data; use {}", name,
                                     quoted_list(class_names)));
+    if (std::set<std::string>(merged.begin(), merged.end()).size() < 2)
+        throw InputError(format("--merge = {}: is one class; name two or more that count as one, "
+                                "e.g. aluminium,iron",
+                                merged.front()));
     std::vector<int> map;
     int next = 1;
     for (const std::string& name : class_names)
@@ -102,14 +107,22 @@ std::optional<Departure> compared(const std::optional<Answered>& nominal, const 
                                   const Model& model) {
     if (!nominal) return std::nullopt;
     const InputMonitor* const spread = model.monitor ? &*model.monitor : nullptr;
-    return departure_from(
-        {.rows = nominal->rows, .predictions = nominal->answers, .spread = spread},
-        {.rows = asked.rows, .predictions = asked.answers, .spread = spread});
+    std::optional<Prototypes> kept;
+    if (model.prototypes) kept = prototypes_of(*model.prototypes);
+    const Prototypes* const prototypes = kept ? &*kept : nullptr;
+    const auto observed = [&](const Answered& answered) {
+        return Observed{.rows = answered.rows,
+                        .predictions = answered.answers,
+                        .spread = spread,
+                        .prototypes = prototypes};
+    };
+    return departure_from(observed(*nominal), observed(asked));
 }
 
 void evaluate_model(const EvaluateArguments& arguments, const Catalogue& catalogue) {
     const std::string& model_file = arguments.what[0];
     const std::string& data = arguments.what[1];
+    if (!arguments.figure.empty()) make_output_folder(arguments.figure);
     if (!arguments.json.empty())
         prepare_output(arguments.json, {model_file, data, arguments.nominal});
     const Model model = read_model(model_file);
@@ -118,6 +131,10 @@ void evaluate_model(const EvaluateArguments& arguments, const Catalogue& catalog
     const Answered asked = answer(data, judge);
     std::optional<Answered> nominal;
     if (!arguments.nominal.empty()) nominal = answer(arguments.nominal, judge);
+    if (nominal && nominal->fingerprint == asked.fingerprint)
+        throw InputError(format("--nominal = {}: holds the frames of {}, and nothing departs from "
+                                "itself; name nominal data of other sessions",
+                                arguments.nominal, data));
 
     EvaluationFacts facts{.model = model_file,
                           .data = data,
@@ -147,10 +164,25 @@ void evaluate_model(const EvaluateArguments& arguments, const Catalogue& catalog
     if (!arguments.figure.empty()) draw_figures(arguments.figure, assessment, facts);
 }
 
+/// An option that changes nothing here would be thought to have done something.
+void check_given(const EvaluateArguments& arguments) {
+    static const std::set<std::string> of_neighbours{
+        "--neighbours", "--folds", "--repeats", "--leak-check", "--bins", "--descriptor"};
+    for (const std::string& option : arguments.given) {
+        if (arguments.leave_out.empty())
+            throw InputError(option +
+                             ": goes with --leave-out, and a trained model is judged as it is; "
+                             "leave the option out");
+        if (arguments.neighbours > 0 && !of_neighbours.contains(option))
+            throw InputError(option +
+                             ": is of a network, and --neighbours trains none; leave one of the "
+                             "two out");
+    }
+}
+
 void check_arguments(const EvaluateArguments& arguments) {
     const bool cross = !arguments.leave_out.empty();
-    if (!cross && arguments.neighbours > 0)
-        throw InputError("--neighbours goes with --leave-out: there is no model to judge");
+    check_given(arguments);
     if (arguments.what.size() != (cross ? 1u : 2u))
         throw InputError(cross ? "--leave-out trains its own models; name the dataset alone"
                                : "name a model and a dataset, or a dataset with --leave-out");

@@ -1,6 +1,7 @@
 #include "tools/specula/learning.hpp"
 
 #include <algorithm>
+#include <fstream>
 
 #include "classifier/looks.hpp"
 #include "classifier/same_measurement.hpp"
@@ -54,8 +55,44 @@ void expect_measured_for(const Model& model, const Dataset& dataset, const Catal
     expect_same_measurement(*model.measurement, dataset, known_radar(dataset, catalogue));
 }
 
+Dataset dataset_from(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    if (in.get() == '{')
+        throw InputError(file.string() +
+                         ": is JSON such as a model, not a dataset; a dataset (.h5) belongs here");
+    return read_dataset(file);
+}
+
+std::vector<std::string> feature_names_of(const Dataset& dataset, const Descriptor& descriptor) {
+    if (descriptor.extractor != "columns") return {};
+    const std::size_t n = dataset.feature_names.size();
+    const std::size_t first = std::min<std::size_t>(descriptor.bins.first_bin, n);
+    const std::size_t count = std::min<std::size_t>(descriptor.bins.n_bins, n - first);
+    const auto begin = dataset.feature_names.begin() + static_cast<std::ptrdiff_t>(first);
+    return {begin, begin + static_cast<std::ptrdiff_t>(count)};
+}
+
+namespace {
+
+/// Columns of another name or in another order would be scored in silence.
+void expect_same_features(const Model& model, const Dataset& dataset,
+                          const Descriptor& descriptor) {
+    const auto names = feature_names_of(dataset, descriptor);
+    if (model.feature_names.empty() || names.size() != model.feature_names.size()) return;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (names[i] != model.feature_names[i])
+            throw InputError(
+                format("features: column {} is \"{}\", and the model was trained on \"{}\" there; "
+                       "use data with the same columns in the same order",
+                       descriptor.bins.first_bin + i, names[i], model.feature_names[i]));
+}
+
+}  // namespace
+
 FeatureTable rows_for(const Model& model, const Dataset& dataset, int threads) {
-    const FeatureTable rows = described(dataset, descriptor_of(model), threads);
+    const Descriptor descriptor = descriptor_of(model);
+    expect_same_features(model, dataset, descriptor);
+    const FeatureTable rows = described(dataset, descriptor, threads);
     if (rows.n_features != model.n_features())
         throw InputError(
             format("descriptor: gives {} features and the model takes {}; use frames like those "

@@ -17,10 +17,17 @@ FeatureTable described(const Dataset& dataset, const Descriptor& descriptor, int
 /// (row): the first of the frames that make it.
 std::vector<std::size_t> first_frames(const Dataset& dataset, const Descriptor& descriptor);
 
+/// read_dataset, which says so where the file is a model.
+Dataset dataset_from(const std::filesystem::path& file);
+
+/// Names of the columns that a descriptor takes; none where it makes its numbers itself.
+std::vector<std::string> feature_names_of(const Dataset& dataset, const Descriptor& descriptor);
+
 /// Throws InputError where the frames' radar is known to be another than the model's.
 void expect_measured_for(const Model& model, const Dataset& dataset, const Catalogue& catalogue);
 
-/// Rows as a model wants them. Throws InputError where its features are others, or not finite.
+/// Rows as a model wants them. Throws InputError where its features are others, or have other names
+/// or another order, or are not finite.
 FeatureTable rows_for(const Model& model, const Dataset& dataset, int threads);
 
 }  // namespace specula

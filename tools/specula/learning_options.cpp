@@ -1,5 +1,7 @@
 #include "tools/specula/learning_options.hpp"
 
+#include <set>
+
 #include "tools/specula/command_options.hpp"
 
 namespace specula {
@@ -86,6 +88,18 @@ void add_learning(CLI::App* command, Learning& learning) {
     add_threads(command, learning.threads);
 }
 
+/// Keeps the names of those options given that a trained model does not heed.
+void note_training_options(CLI::App* command, std::vector<std::string>& given) {
+    static const std::set<std::string> heeded{"--leave-out", "--json", "--figure",  "--merge",
+                                              "--nominal",   "--seed", "--threads", "--help"};
+    command->parse_complete_callback([command, &given] {
+        for (const CLI::Option* option : command->get_options())
+            if (option->count() > 0 && !option->get_positional() &&
+                !heeded.contains(option->get_name()))
+                given.push_back(option->get_name());
+    });
+}
+
 void add_outputs(CLI::App* command, EvaluateArguments& arguments) {
     command->add_option("--json", arguments.json, "write every number")->type_name("FILE");
     command
@@ -154,14 +168,17 @@ void add_evaluate(CLI::App& program, EvaluateArguments& arguments) {
         ->check(CLI::Range(1, 1000).description(""));
     add_outputs(command, arguments);
     add_learning(command, arguments.learning);
+    note_training_options(command, arguments.given);
 }
 
 void add_predict(CLI::App& program, PredictArguments& arguments) {
     CLI::App* command = add_command(
         program, "predict", "Say what a model makes of every frame of a dataset",
         "specula predict materials.json others.h5 -o answers.csv\n"
-        "  A row per frame: class, probabilities, and how unfamiliar it is (energy in nepers,\n"
-        "  squared Mahalanobis distance). Without -o, CSV on standard output.");
+        "  A row per frame: class and probabilities (0 to 1), then what monitors look at: max_logit\n"
+        "  (lower is less familiar), energy_nepers, mahalanobis_squared (of the inputs) and\n"
+        "  prototype_distance_sd (higher is less familiar); suspicious is 1 beyond the model's own\n"
+        "  limit of mahalanobis_squared. Without -o, CSV on standard output.");
     command->add_option("MODEL", arguments.model, "model (.json)")->required();
     command->add_option("DATASET", arguments.data, "dataset (.h5); its classes are not needed")
         ->required();

@@ -71,6 +71,7 @@ SplitScores cross_validate(const FeatureTable& rows, const Dataset& dataset, Lea
         return groups;
     };
     const auto group = of_rows(what);
+    if (what != LeaveOut::frame) expect_groups_in_classes(rows, group, what);
     const auto pieces =
         arguments.leak_check ? of_rows(LeaveOut::sample) : std::vector<std::int32_t>{};
     CrossValidation how{.fold = deal_folds(rows, group, arguments.folds),
@@ -125,7 +126,7 @@ void print_scores(const std::map<std::string, SplitScores>& all, const EvaluateA
 }  // namespace
 
 void evaluate_left_out(const EvaluateArguments& arguments) {
-    const Dataset dataset = read_dataset(arguments.what[0]);
+    const Dataset dataset = dataset_from(arguments.what[0]);
     const Descriptor descriptor = chosen_descriptor(arguments.learning, dataset);
     const FeatureTable rows = described(dataset, descriptor, arguments.learning.threads);
     std::map<std::string, SplitScores> all;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "sim/core/atomic_file.hpp"
 #include "sim/core/document.hpp"
 #include "sim/core/error.hpp"
 #include "sim/core/format.hpp"
@@ -17,11 +18,7 @@ void prepare_output(const fs::path& out, const std::vector<fs::path>& inputs) {
         if (!input.empty() && fs::equivalent(out, input, error))
             throw InputError(
                 format("{}: is an input of this command; give --out another name", out.string()));
-    const fs::path folder = out.parent_path();
-    if (folder.empty()) return;
-    fs::create_directories(folder, error);
-    if (error)
-        throw SystemError(format("{}: cannot create: {}", folder.string(), error.message()));
+    check_output_place(out);
 }
 
 void check_figure_place(const fs::path& where, const std::vector<std::string>& formats) {

@@ -24,14 +24,43 @@ struct Answers {
     FeatureTable rows;
     Predictions predictions;
     ClassProbabilities probabilities;
-    std::vector<std::string> monitor;
+    std::vector<std::string> monitor;        ///< names with units, as help explains them
     std::vector<std::vector<double>> score;  ///< (monitor, row)
-    std::optional<double> suspicious_squared;
-
-    bool suspicious(std::size_t row) const {
-        return suspicious_squared && score.back()[row] > *suspicious_squared;
-    }
+    std::vector<bool> suspicious;            ///< (row); empty: the model has no limit
 };
+
+/// What a monitor looks at, under a name of its own: the plain quantity, not how unfamiliar it is.
+struct Column {
+    Monitor monitor;
+    const char* name;
+    double sign;  ///< of the quantity over its unfamiliarity
+};
+constexpr Column columns_of_monitors[] = {
+    {Monitor::max_logit, "max_logit", -1.0},
+    {Monitor::energy, "energy_nepers", 1.0},
+    {Monitor::mahalanobis, "mahalanobis_squared", 1.0},
+    {Monitor::prototypes, "prototype_distance_sd", 1.0}};
+
+void add_monitors(const Model& model, Answers& answers) {
+    std::optional<Prototypes> prototypes;
+    if (model.prototypes) prototypes = prototypes_of(*model.prototypes);
+    const Observed observed{.rows = answers.rows,
+                            .predictions = answers.predictions,
+                            .spread = model.monitor ? &*model.monitor : nullptr,
+                            .prototypes = prototypes ? &*prototypes : nullptr};
+    for (const Column& column : columns_of_monitors) {
+        if (column.monitor == Monitor::mahalanobis && !model.monitor) continue;
+        if (column.monitor == Monitor::prototypes && !prototypes) continue;
+        std::vector<double> scores = unfamiliarity(column.monitor, observed);
+        if (column.monitor == Monitor::mahalanobis)
+            for (const double squared : scores)
+                answers.suspicious.push_back(
+                    squared > static_cast<double>(model.monitor->suspicious_squared));
+        for (double& score : scores) score *= column.sign;
+        answers.monitor.emplace_back(column.name);
+        answers.score.push_back(std::move(scores));
+    }
+}
 
 Answers answers_of(const Model& model, const Dataset& dataset, int threads) {
     Answers answers;
@@ -40,17 +69,7 @@ Answers answers_of(const Model& model, const Dataset& dataset, int threads) {
     answers.predictions = predict(fold(model), answers.rows);
     answers.probabilities =
         softmax({.values = answers.predictions.logits, .n_classes = answers.predictions.n_classes});
-    const Observed observed{.rows = answers.rows,
-                            .predictions = answers.predictions,
-                            .spread = model.monitor ? &*model.monitor : nullptr};
-    for (const Monitor monitor : {Monitor::max_logit, Monitor::softmax_probability, Monitor::energy,
-                                  Monitor::mahalanobis}) {
-        if (monitor == Monitor::mahalanobis && !model.monitor) continue;
-        answers.monitor.push_back(monitor_names()[static_cast<std::size_t>(monitor)]);
-        answers.score.push_back(unfamiliarity(monitor, observed));
-    }
-    if (model.monitor)
-        answers.suspicious_squared = static_cast<double>(model.monitor->suspicious_squared);
+    add_monitors(model, answers);
     return answers;
 }
 
@@ -67,7 +86,7 @@ std::string csv_of(const Answers& answers, const Model& model) {
             format("{:.6g}", answers.predictions.probability[i])};
         for (const double p : answers.probabilities.row(i)) row.push_back(format("{:.6g}", p));
         for (const auto& score : answers.score) row.push_back(format("{:.6g}", score[i]));
-        row.push_back(answers.suspicious_squared ? (answers.suspicious(i) ? "1" : "0") : "");
+        row.push_back(answers.suspicious.empty() ? "" : answers.suspicious[i] ? "1" : "0");
         table.add(row);
     }
     return table.text();
@@ -75,7 +94,7 @@ std::string csv_of(const Answers& answers, const Model& model) {
 
 std::string json_of(const Answers& answers, const Model& model, const Dataset& dataset) {
     nlohmann::ordered_json json{{"format", "specula-predictions"},
-                                {"format_version", 1},
+                                {"format_version", 2},
                                 {"data_fingerprint", fingerprint(dataset)},
                                 {"class_names", model.class_names},
                                 {"monitors", answers.monitor}};
@@ -92,7 +111,7 @@ std::string json_of(const Answers& answers, const Model& model, const Dataset& d
         frame["probabilities"] = std::vector<double>(p.begin(), p.end());
         for (std::size_t m = 0; m < answers.monitor.size(); ++m)
             frame[answers.monitor[m]] = answers.score[m][i];
-        if (answers.suspicious_squared) frame["suspicious"] = answers.suspicious(i);
+        if (!answers.suspicious.empty()) frame["suspicious"] = bool(answers.suspicious[i]);
         frames.push_back(frame);
     }
     json["frames"] = frames;
@@ -109,7 +128,7 @@ void predict_command(const PredictArguments& arguments, const Catalogue& catalog
                    arguments.out.string()));
     if (!arguments.out.empty()) prepare_output(arguments.out, {arguments.model, arguments.data});
     const Model model = read_model(arguments.model);
-    const Dataset dataset = read_dataset(arguments.data);
+    const Dataset dataset = dataset_from(arguments.data);
     std::string text;
     try {
         expect_measured_for(model, dataset, catalogue);

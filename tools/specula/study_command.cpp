@@ -62,7 +62,7 @@ void study_command(const StudyArguments& arguments, const Catalogue& catalogue) 
     const StudySummary study = run_study(request, catalogue);
 
     for (const std::string& warning : study.warnings) say_warning(warning);
-    std::printf("%-56s %-22s %-22s %s\n", "macro-F1, percent, with 95 % interval over worlds",
+    std::printf("%-56s %-22s %-22s %s\n", "macro-F1, percent, with 95 % interval",
                 "all classes", study.merged_label.c_str(), "paper");
     for (const StudyCondition& condition : study.conditions) {
         const std::string paper =
@@ -71,6 +71,10 @@ void study_command(const StudyArguments& arguments, const Catalogue& catalogue) 
                     percent(condition.result.macro_f1).c_str(),
                     percent(condition.result.macro_f1_merged).c_str(), paper.c_str());
     }
+    const std::size_t n_worlds = study.conditions.front().result.macro_f1_per_world.size();
+    if (n_worlds < few_worlds)
+        std::printf("\n%zu %s: weak evidence, to see that all works; no figure here is a result.\n",
+                    n_worlds, n_worlds == 1 ? "world" : "worlds");
     std::printf("\nOpen %s in a browser.\n", (request.out / "report.html").c_str());
 }
 

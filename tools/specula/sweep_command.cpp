@@ -33,13 +33,6 @@ fs::path sweep_file(const std::string& wanted, const Catalogue& catalogue) {
     return catalogue.sweep_file(wanted);
 }
 
-/// Found out before the long part, not after it.
-void make_folder(const fs::path& out) {
-    std::error_code error;
-    fs::create_directories(out, error);
-    if (error) throw SystemError(format("{}: cannot create: {}", out.string(), error.message()));
-}
-
 /// The frequencies at which the sweep asks the materials.
 FrequencyBand used_band(const SweepPlan& plan) {
     if (plan.frequencies_hz.empty()) return plan.scene.radar.chirp.band();
@@ -106,7 +99,7 @@ void sweep_command(const SweepArguments& arguments, const Catalogue& catalogue) 
     const SweepPlan plan =
         read_sweep_plan(sweep_file(arguments.what, catalogue), arguments.axes, catalogue);
     const fs::path out = arguments.out.empty() ? fs::path("out/sweep") / plan.name : arguments.out;
-    make_folder(out);
+    make_output_folder(out);
     warn(plan, catalogue.materials);
     Sweep sweep;
     {

@@ -5,6 +5,7 @@
 #include "classifier/cross_validation.hpp"
 #include "classifier/measurement.hpp"
 #include "classifier/model_file.hpp"
+#include "classifier/nearest_neighbours.hpp"
 #include "classifier/predict.hpp"
 #include "classifier/session_split.hpp"
 #include "classifier/train.hpp"
@@ -77,7 +78,7 @@ std::optional<Measurement> measurement_for(const TrainArguments& arguments, cons
 
 void train_command(const TrainArguments& arguments, const Catalogue& catalogue) {
     prepare_output(arguments.out, {arguments.data, arguments.radar});
-    const Dataset dataset = read_dataset(arguments.data);
+    const Dataset dataset = dataset_from(arguments.data);
     try {
         const Learning& learning = arguments.learning;
         const Descriptor descriptor = chosen_descriptor(learning, dataset);
@@ -99,6 +100,9 @@ void train_command(const TrainArguments& arguments, const Catalogue& catalogue) 
         model.provenance.emplace_back("descriptor", descriptor.text());
         model.provenance.emplace_back("dataset", fingerprint(dataset));
         model.measurement = measurement;
+        model.feature_names = feature_names_of(dataset, descriptor);
+        model.prototypes = kept(fit_prototypes(
+            split.training, {}, {.seed = learning.seed, .purpose = "prototypes"}));
         write_model(model, arguments.out);
         std::printf("%zu frames of %zu classes, descriptor %s\n", split.training.size(),
                     dataset.class_names.size(), descriptor.text().c_str());

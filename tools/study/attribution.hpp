@@ -18,7 +18,7 @@ struct JudgedDomain {
 
 /// What the baseline's models stand on.
 struct MonitoredModels {
-    const std::vector<Model>& models;  ///< (world)
+    const std::vector<Model>& models;  ///< (world), with their prototypes
     const WorldRows& training;
 };
 

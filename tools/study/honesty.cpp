@@ -227,6 +227,22 @@ void check_other_populations(const StudyContext& context, std::vector<HonestyChe
                       .reason = "features and network lose nothing by themselves"});
 }
 
+/// How many worlds the intervals of the checks stand on.
+void count_worlds(const StudyContext& context, std::vector<HonestyCheck>& checks) {
+    const auto all = static_cast<std::size_t>(context.run.worlds);
+    const auto few = static_cast<std::size_t>(
+        std::min(context.extent.check_worlds, context.run.worlds));
+    const auto is_named = [](const HonestyCheck& check, std::initializer_list<const char*> names) {
+        return std::ranges::any_of(names, [&](const char* name) { return check.name == name; });
+    };
+    for (HonestyCheck& check : checks) {
+        if (is_named(check, {"merged_at_least", "same_nuisance"})) continue;  // no intervals
+        const bool has_own_worlds = is_named(
+            check, {"placebo", "one_material", "one_material_known_pieces", "no_nuisance"});
+        check.n_worlds = has_own_worlds ? few : all;
+    }
+}
+
 }  // namespace
 
 std::vector<HonestyCheck> honesty_checks(const StudyContext& context, const CheckInput& input) {
@@ -236,6 +252,7 @@ std::vector<HonestyCheck> honesty_checks(const StudyContext& context, const Chec
     checks.push_back(check_merging(context, input));
     checks.push_back(check_laws(input, context.experiment.population.classes.size()));
     for (HonestyCheck& check : checks) check = checked(check);
+    count_worlds(context, checks);
     return checks;
 }
 

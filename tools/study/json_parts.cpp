@@ -8,8 +8,8 @@ using Json = nlohmann::ordered_json;
 
 Json domain_json(const DomainScore& score) {
     return {{"domain", score.domain},
-            {"macro_f1", interval_json(score.all)},
-            {"macro_f1_merged", interval_json(score.merged)},
+            {"macro_f1", world_interval_json(score.all)},
+            {"macro_f1_merged", world_interval_json(score.merged)},
             {"macro_f1_per_world", score.per_world.all},
             {"macro_f1_merged_per_world", score.per_world.merged}};
 }
@@ -22,7 +22,7 @@ Json domains_json(const std::vector<DomainScore>& scores) {
 
 Json intervals_json(const std::vector<Interval>& intervals) {
     Json list = Json::array();
-    for (const Interval& interval : intervals) list.push_back(interval_json(interval));
+    for (const Interval& interval : intervals) list.push_back(world_interval_json(interval));
     return list;
 }
 
@@ -47,7 +47,7 @@ void add_attribution(const StudyResults& results, Json& json) {
             {{"step", step.title},
              {"macro_f1", interval_json(step.all)},
              {"macro_f1_merged", interval_json(step.merged)},
-             {"loss", step.loss ? interval_json(*step.loss) : Json(nullptr)}});
+             {"loss", step.loss ? world_interval_json(*step.loss) : Json(nullptr)}});
     for (const SensitivityRow& row : results.sensitivity)
         json["sensitivity"].push_back({{"assumption", row.name},
                                        {"title", row.title},
@@ -73,15 +73,21 @@ void add_checks(const StudyResults& results, Json& json) {
     for (const HonestyCheck& check : results.checks) {
         Json entry{{"check", check.name},
                    {"title", check.title},
-                   {"value", interval_json(check.value)},
+                   {"value", world_interval_json(check.value)},
                    {"band", check.band ? Json(*check.band) : Json(nullptr)}};
         entry["passed"] = check.band ? Json(check.passed) : Json(nullptr);
+        entry["worlds"] = check.n_worlds > 0 ? Json(check.n_worlds) : Json(nullptr);
+        entry["weak_evidence"] = check.band ? Json(check.is_weak()) : Json(nullptr);
         entry["reason"] = check.reason;
         json["honesty_checks"].push_back(entry);
     }
 }
 
 void add_ladder(const StudyResults& results, Json& json) {
+    if (!results.ladder.empty())
+        json["recommendation"] = {{"chosen_on_worlds", results.choosing_worlds},
+                                  {"rule", "best worst condition, classes merged; of equals within "
+                                           "0.005 the cheapest"}};
     for (const LadderRung& rung : results.ladder)
         json["ladder"].push_back({{"rung", rung.name},
                                   {"title", rung.title},
@@ -94,6 +100,7 @@ void add_ladder(const StudyResults& results, Json& json) {
                                   {"estimated_us", {rung.cost.low_us, rung.cost.high_us}},
                                   {"recommended", rung.recommended},
                                   {"domains", domains_json(rung.domains)},
+                                  {"domains_on_other_worlds", domains_json(rung.confirmed)},
                                   {"gain_over_baseline", intervals_json(rung.gain)},
                                   {"gain_over_baseline_merged", intervals_json(rung.gain_merged)}});
 }
@@ -108,23 +115,35 @@ void add_severity(const SeverityGrid& grid, Json& json) {
                          {"macro_f1", intervals_json(cell.intervals)},
                          {"macro_f1_merged", cell.merged}});
     json["severity_grid"] = {{"classifiers", grid.classifiers},
+                             {"worlds", grid.n_worlds},
                              {"mean_macro_f1", grid.mean_all},
                              {"mean_macro_f1_merged", grid.mean_merged},
                              {"error_over_the_baselines", grid.relative_error},
                              {"cells", cells}};
 }
 
+Json reliability_json(const std::vector<ReliabilityPoint>& points) {
+    Json bins = Json::array();
+    for (const ReliabilityPoint& point : points)
+        bins.push_back({{"n", point.n},
+                        {"confidence", point.confidence},
+                        {"accuracy", world_interval_json(point.accuracy)}});
+    return bins;
+}
+
 void add_monitors(const StudyResults& results, Json& json) {
     for (const DetectorScore& score : results.detectors)
         json["detectors"].push_back({{"detector", score.detector},
                                      {"domain", score.domain},
-                                     {"auroc", interval_json(score.auroc)},
-                                     {"fpr95", interval_json(score.fpr95)}});
+                                     {"auroc", world_interval_json(score.auroc)},
+                                     {"fpr95", world_interval_json(score.fpr95)}});
     for (const FallbackScore& score : results.fallback)
         json["fallback"].push_back({{"domain", score.domain},
-                                    {"answered", interval_json(score.answered)},
-                                    {"accuracy_of_answered", interval_json(score.accuracy)},
-                                    {"accuracy_of_all", interval_json(score.accuracy_all)}});
+                                    {"answered", world_interval_json(score.answered)},
+                                    {"accuracy_of_answered",
+                                     score.accuracy ? world_interval_json(*score.accuracy)
+                                                    : Json(nullptr)},
+                                    {"accuracy_of_all", world_interval_json(score.accuracy_all)}});
     if (!results.confidence.empty()) json["temperature"] = results.temperature;
     for (const ConfidenceQuality& quality : results.confidence)
         json["confidence"].push_back(
@@ -133,13 +152,14 @@ void add_monitors(const StudyResults& results, Json& json) {
              {"ece_with_temperature", quality.ece_scaled},
              {"nll_nats", quality.nll},
              {"brier", quality.brier},
+             {"reliability_bins", reliability_json(quality.reliability)},
              {"aurc", quality.aurc},
              {"coverage_at_5_percent_risk", quality.coverage_at_5_percent}});
     for (const InputDrift& drift : results.drift)
         json["drift"].push_back({{"domain", drift.domain},
-                                 {"psi", interval_json(drift.psi)},
-                                 {"mmd_squared", interval_json(drift.discrepancy)},
-                                 {"mean_shift_sd", interval_json(drift.mean_shift)},
+                                 {"psi", world_interval_json(drift.psi)},
+                                 {"mmd_squared", world_interval_json(drift.discrepancy)},
+                                 {"mean_shift_sd_of_training", world_interval_json(drift.mean_shift)},
                                  {"psi_per_feature", drift.psi_per_feature}});
 }
 
@@ -147,6 +167,12 @@ void add_monitors(const StudyResults& results, Json& json) {
 
 Json interval_json(const Interval& interval) {
     return {{"mean", interval.mean}, {"low_95", interval.low}, {"high_95", interval.high}};
+}
+
+Json world_interval_json(const Interval& interval) {
+    return {{"mean", interval.mean},
+            {"low_95_over_worlds", interval.low},
+            {"high_95_over_worlds", interval.high}};
 }
 
 void add_results(const StudyResults& results, Json& json) {

@@ -6,8 +6,11 @@
 
 namespace specula {
 
-/// {"mean", "low_95", "high_95"}
+/// {"mean", "low_95", "high_95"}: worlds, and within them sessions, are resampled.
 nlohmann::ordered_json interval_json(const Interval& interval);
+
+/// {"mean", "low_95_over_worlds", "high_95_over_worlds"}: worlds alone are resampled.
+nlohmann::ordered_json world_interval_json(const Interval& interval);
 
 /// What a study found beyond its conditions, one key per part; parts that were not asked for are
 /// left out.

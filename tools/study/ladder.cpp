@@ -37,25 +37,55 @@ std::vector<double> difference(const std::vector<double>& a, const std::vector<d
     return differences;
 }
 
-double worst_merged(const LadderRung& rung) {
+std::vector<double> values_of(const std::vector<double>& per_world,
+                              const std::vector<std::size_t>& worlds) {
+    std::vector<double> values;
+    for (const std::size_t world : worlds) values.push_back(per_world[world]);
+    return values;
+}
+
+double worst_merged(const LadderRung& rung, const std::vector<std::size_t>& worlds) {
     double worst = 1.0;
-    for (const DomainScore& score : rung.domains) worst = std::min(worst, score.merged.mean);
+    for (const DomainScore& score : rung.domains) {
+        double sum = 0.0;
+        for (const double value : values_of(score.per_world.merged, worlds)) sum += value;
+        worst = std::min(worst, sum / static_cast<double>(worlds.size()));
+    }
     return worst;
 }
 
-void recommend(std::vector<LadderRung>& rungs) {
+}  // namespace
+
+std::vector<std::size_t> choosing_worlds(std::size_t n_worlds) {
+    std::vector<std::size_t> worlds{0};
+    for (std::size_t world = 2; world < n_worlds; world += 2) worlds.push_back(world);
+    return worlds;
+}
+
+void recommend(std::vector<LadderRung>& rungs, const std::vector<std::size_t>& worlds) {
     LadderRung* best = nullptr;
     for (LadderRung& rung : rungs) {
         // What needs the true gain, which nobody has, is no remedy.
         if (rung.descriptor.ends_with("over the true gain")) continue;
-        const double gain = best ? worst_merged(rung) - worst_merged(*best) : 1.0;
+        const double gain = best ? worst_merged(rung, worlds) - worst_merged(*best, worlds) : 1.0;
         const bool cheaper = best && rung.cost.multiplications < best->cost.multiplications;
         if (gain > equal_within || (gain > -equal_within && cheaper)) best = &rung;
     }
     if (best) best->recommended = true;
 }
 
-}  // namespace
+/// Every rung on the worlds that decide nothing.
+void Ladder::confirm(std::vector<LadderRung>& rungs) const {
+    std::vector<std::size_t> others;
+    for (std::size_t world = 1; world < static_cast<std::size_t>(context_.run.worlds); world += 2)
+        others.push_back(world);
+    if (others.empty()) return;
+    for (LadderRung& rung : rungs)
+        for (const DomainScore& score : rung.domains)
+            rung.confirmed.push_back(
+                context_.score(score.domain, {values_of(score.per_world.all, others),
+                                              values_of(score.per_world.merged, others)}));
+}
 
 Ladder::Ladder(const StudyContext& context, const LadderInput& input)
     : context_(context), input_(input) {
@@ -176,7 +206,8 @@ std::vector<LadderRung> Ladder::run() const {
                 bootstrap_mean(difference(own.merged, other.merged), context_.bootstrap()));
         }
     }
-    recommend(rungs);
+    recommend(rungs, choosing_worlds(n_worlds));
+    confirm(rungs);
     return rungs;
 }
 

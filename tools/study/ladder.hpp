@@ -17,11 +17,17 @@ struct RungRows {
     std::vector<WorldRows> judged;     ///< (domain)
 };
 
+/// The worlds that decide which rung is recommended: every other one, from the first on.
+std::vector<std::size_t> choosing_worlds(std::size_t n_worlds);
+
+/// Marks the rung whose worst condition, classes merged, is best over these worlds; of equals
+/// within half a point the cheapest.
+void recommend(std::vector<LadderRung>& rungs, const std::vector<std::size_t>& worlds);
+
 /// Compares the remedies: the same worlds, judged frames, number of rows and steps for each;
 /// nothing is selected, the network of the last epoch counts. Records the training sets.
 ///
-/// Recommended is the rung whose worst condition, classes merged, is best; of equals within half a
-/// point the cheapest.
+/// What it is good for is said of the worlds that had no say in recommending it.
 class Ladder {
   public:
     Ladder(const StudyContext& context, const LadderInput& input);
@@ -35,6 +41,7 @@ class Ladder {
     void record_motion();
     const FeatureTable& table_of(const RungPlan& rung, const Recording& recording) const;
     RungRows rows_of(const RungPlan& rung) const;
+    void confirm(std::vector<LadderRung>& rungs) const;
     TrialTraining training_of(const RungPlan& rung, int repeat) const;
 
     const StudyContext& context_;

@@ -45,10 +45,7 @@ std::vector<std::vector<Scores>> all_scores(const StudyContext& context,
     const std::size_t worlds = baseline.models.size();
     std::vector<std::vector<Scores>> scores(domains.size(), std::vector<Scores>(worlds));
     const auto score = [&](std::size_t world) {
-        const Prototypes prototypes = fit_prototypes(baseline.training[world], {},
-                                                     {.seed = context.run.seed,
-                                                      .purpose = "prototypes",
-                                                      .world = static_cast<std::uint32_t>(world)});
+        const Prototypes prototypes = prototypes_of(*baseline.models[world].prototypes);
         for (std::size_t domain = 0; domain < domains.size(); ++domain)
             scores[domain][world] =
                 scores_of_world(baseline.models[world], prototypes, domains[domain].rows[world],
@@ -110,11 +107,12 @@ void add_fallback(const StudyContext& context, const MonitoredModels& baseline,
             if (n > 0.0) accuracy.push_back(n_right / n);
         }
         if (answered.empty()) continue;
-        const auto mean = [&](const std::vector<double>& values) {
-            return values.empty() ? Interval{} : bootstrap_mean(values, context.bootstrap());
-        };
-        results.fallback.push_back(
-            {domains[domain].name, mean(answered), mean(accuracy), mean(accuracy_all)});
+        FallbackScore score{.domain = domains[domain].name,
+                            .answered = bootstrap_mean(answered, context.bootstrap()),
+                            .accuracy = {},
+                            .accuracy_all = bootstrap_mean(accuracy_all, context.bootstrap())};
+        if (!accuracy.empty()) score.accuracy = bootstrap_mean(accuracy, context.bootstrap());
+        results.fallback.push_back(std::move(score));
     }
 }
 
@@ -141,7 +139,34 @@ Pooled pooled(const std::vector<WorldOutcome>& outcomes) {
     return all;
 }
 
-ConfidenceQuality quality_of(const JudgedDomain& domain, double temperature) {
+/// Bins of all worlds together; how far each can be trusted follows from the worlds' own.
+std::vector<ReliabilityPoint> reliability_points(const StudyContext& context,
+                                                 const JudgedDomain& domain,
+                                                 const Reliability& together) {
+    std::vector<Reliability> worlds;
+    for (const WorldOutcome& world : domain.outcomes)
+        worlds.push_back(
+            reliability_of(softmax(ClassRows<float>{world.predictions.logits,
+                                                    world.predictions.n_classes}),
+                           world.truth, static_cast<int>(together.bins.size())));
+    std::vector<ReliabilityPoint> points;
+    for (std::size_t bin = 0; bin < together.bins.size(); ++bin) {
+        const ReliabilityBin& all = together.bins[bin];
+        if (all.n == 0) continue;
+        std::vector<double> right, n;
+        for (const Reliability& world : worlds) {
+            n.push_back(static_cast<double>(world.bins[bin].n));
+            right.push_back(world.bins[bin].accuracy * n.back());
+        }
+        points.push_back({.confidence = all.confidence,
+                          .accuracy = bootstrap_share(right, n, context.bootstrap()),
+                          .n = all.n});
+    }
+    return points;
+}
+
+ConfidenceQuality quality_of(const StudyContext& context, const JudgedDomain& domain,
+                             double temperature) {
     const Pooled all = pooled(domain.outcomes);
     const ClassRows<float> logits{all.logits, all.n_classes};
     const ClassProbabilities raw = softmax(logits);
@@ -156,8 +181,7 @@ ConfidenceQuality quality_of(const JudgedDomain& domain, double temperature) {
         .brier = brier_score(raw, all.truth),
         .aurc = area_under_risk_coverage(curve),
         .coverage_at_5_percent = coverage_at_risk(curve, 0.05)};
-    for (const ReliabilityBin& bin : reliability.bins)
-        if (bin.n > 0) quality.reliability.push_back({bin.confidence, bin.accuracy});
+    quality.reliability = reliability_points(context, domain, reliability);
     for (std::size_t i = 0; i < curve_points; ++i) {
         const std::size_t k = std::max<std::size_t>(1, (i + 1) * curve.risk.size() / curve_points);
         quality.risk.push_back({curve.coverage(k - 1), curve.risk[k - 1]});
@@ -205,7 +229,7 @@ void judge_monitors(const StudyContext& context, const MonitoredModels& baseline
     results.temperature =
         fit_temperature(ClassRows<float>{nominal.logits, nominal.n_classes}, nominal.truth);
     for (const JudgedDomain& domain : domains) {
-        results.confidence.push_back(quality_of(domain, results.temperature));
+        results.confidence.push_back(quality_of(context, domain, results.temperature));
         results.drift.push_back(drift_of(context, baseline.training, domain));
     }
 }

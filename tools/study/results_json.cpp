@@ -1,5 +1,6 @@
 #include "tools/study/results_json.hpp"
 
+#include "classifier/metrics.hpp"
 #include "tools/study/json_parts.hpp"
 
 namespace specula {
@@ -19,7 +20,16 @@ Json confusion_json(const Confusion& confusion) {
     return rows;
 }
 
-Json condition_json(const StudyCondition& condition) {
+Json recall_json(const Confusion& confusion, const std::vector<std::string>& class_names) {
+    Json recall = Json::object();
+    if (confusion.n != class_names.size()) return recall;
+    const auto shares = recall_per_class(confusion);
+    for (std::size_t c = 0; c < class_names.size(); ++c)
+        recall[class_names[c]] = shares[c] ? Json(*shares[c]) : Json(nullptr);
+    return recall;
+}
+
+Json condition_json(const StudyCondition& condition, const std::vector<std::string>& class_names) {
     const ConditionReport& result = condition.result;
     Json json{{"name", result.name},
               {"title", result.title},
@@ -27,7 +37,8 @@ Json condition_json(const StudyCondition& condition) {
               {"heights_m", condition.heights_m},
               {"macro_f1", interval_json(result.macro_f1)},
               {"macro_f1_merged", interval_json(result.macro_f1_merged)},
-              {"mean_confidence", interval_json(result.mean_confidence)},
+              {"recall", recall_json(result.confusion, class_names)},
+              {"mean_confidence", world_interval_json(result.mean_confidence)},
               {"macro_f1_per_world", result.macro_f1_per_world},
               {"macro_f1_merged_per_world", result.macro_f1_merged_per_world},
               {"confusion_true_by_predicted", confusion_json(result.confusion)},
@@ -44,7 +55,7 @@ Json condition_json(const StudyCondition& condition) {
 
 std::string results_json(const StudySummary& summary) {
     Json json{{"format", "specula-results"},
-              {"format_version", 2},
+              {"format_version", 3},
               {"software_version", summary.version},
               {"experiment", summary.experiment},
               {"command", summary.command},
@@ -63,9 +74,9 @@ std::string results_json(const StudySummary& summary) {
     json["warnings"] = summary.warnings;
     for (const auto& [what, hash] : summary.fingerprints) json["fingerprints"][what] = hash;
     for (const StudyCondition& condition : summary.conditions)
-        json["conditions"].push_back(condition_json(condition));
+        json["conditions"].push_back(condition_json(condition, summary.class_names));
     for (const StudyCondition& part : summary.parts)
-        json["parts_of_conditions"].push_back(condition_json(part));
+        json["parts_of_conditions"].push_back(condition_json(part, summary.class_names));
     add_results(summary.results, json);
     // A path in the command may be no UTF-8; that shall not cost the results of a night.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -81,6 +81,7 @@ SeverityGrid severity_grid(const StudyContext& context, const std::vector<GridEn
     for (const GridEntrant& entrant : entrants)
         if (!entrant.kind.empty()) run.kinds.push_back(entrant.kind);
     SeverityGrid grid;
+    grid.n_worlds = entrants.front().models.size();
     for (const GridEntrant& entrant : entrants) grid.classifiers.push_back(entrant.name);
     grid.height_offsets_m = plan.height_offsets_m;
     grid.tilts_rad = plan.tilts_rad;

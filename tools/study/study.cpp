@@ -10,6 +10,7 @@
 #include "sim/core/error.hpp"
 #include "sim/core/format.hpp"
 #include "sim/core/version.hpp"
+#include "sim/dataset/sha256.hpp"
 #include "sim/generate.hpp"
 #include "tools/report/study_page.hpp"
 #include "tools/study/attribution.hpp"
@@ -25,13 +26,8 @@ namespace fs = std::filesystem;
 namespace {
 
 void make_folders(const fs::path& out) {
-    for (const char* name : {"datasets", "models", "firmware", "figures"}) {
-        std::error_code error;
-        fs::create_directories(out / name, error);
-        if (error)
-            throw SystemError(
-                format("{}: cannot create: {}", (out / name).string(), error.message()));
-    }
+    for (const char* name : {"datasets", "models", "firmware", "figures"})
+        make_output_folder(out / name);
 }
 
 /// The experiment's name as part of a C name: export_c takes up to 32 of a-z, 0-9 and _.
@@ -139,6 +135,7 @@ StudySummary run_study(const StudyRequest& request, const Catalogue& catalogue) 
 
     StudySummary summary;
     describe_study(request, context, summary);
+    summary.fingerprints.emplace_back(summary.experiment, "sha256 " + sha256_of(used.source));
     warn_of_weak_echoes(recordings, used, run, summary.warnings);
     for (const Recording& recording : recordings)
         summary.fingerprints.emplace_back(recording.file.filename().string(),

@@ -98,6 +98,7 @@ void extend_study(const StudyState& state, StageClock& clock, StudySummary& summ
         ladder.emplace(context, input);
         clock.ended("recording for remedies");
         results.ladder = ladder->run();
+        results.choosing_worlds = choosing_worlds(static_cast<std::size_t>(context.run.worlds));
         clock.ended("remedies");
     }
     std::optional<Remedy> remedy;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "classifier/nearest_neighbours.hpp"
 #include "classifier/session_bootstrap.hpp"
 #include "sim/core/constants.hpp"
 #include "sim/core/format.hpp"
@@ -113,10 +114,17 @@ Baseline train_baseline(const StudyContext& context, const Recording& training) 
         TrialTraining how = context.training();
         how.repeat = static_cast<int>(repeat);
         auto models = train_each(baseline.splits.training, how, &progress.done());
-        if (repeat == 0)
+        if (repeat == 0) {
+            for (std::size_t world = 0; world < models.size(); ++world)
+                models[world].prototypes =
+                    kept(fit_prototypes(baseline.splits.training[world], {},
+                                        {.seed = context.run.seed,
+                                         .purpose = "prototypes",
+                                         .world = static_cast<std::uint32_t>(world)}));
             baseline.models = std::move(models);
-        else
+        } else {
             baseline.repeats.push_back(std::move(models));
+        }
     }
     return baseline;
 }
@@ -128,7 +136,12 @@ void judge_conditions(const StudyContext& context, const std::vector<Recording>&
         judged.condition.features = profiles_of(all);
         summary.conditions.push_back(std::move(judged.condition));
         baseline.domains.push_back(named.name);
-        baseline.scores.push_back(context.score(named.name, judged.scores));
+        // One interval for one quantity, wherever it is shown: over worlds and their sessions.
+        const ConditionReport& result = summary.conditions.back().result;
+        baseline.scores.push_back({.domain = named.name,
+                                   .all = result.macro_f1,
+                                   .merged = result.macro_f1_merged,
+                                   .per_world = judged.scores});
         baseline.outcomes.push_back(std::move(judged.outcomes));
         baseline.rows.push_back(std::move(rows));
     };

@@ -25,8 +25,8 @@ TEST_CASE("a forest names its rows and keeps numbers and bands in its table", "[
         INFO(text);
         CHECK(contains(svg, text));
     }
-    CHECK(contains(figure.csv, "A <row>,value,20,18,22,17,23\n"));
-    CHECK(contains(figure.csv, "Another,value,85,80,90,,\n"));
+    CHECK(contains(figure.csv, "A <row>,value,0.2,0.18,0.22,0.17,0.23\n"));
+    CHECK(contains(figure.csv, "Another,value,0.85,0.8,0.9,,\n"));
 }
 
 TEST_CASE("a heat map writes every share and leaves out what is missing", "[report]") {
@@ -63,7 +63,7 @@ TEST_CASE("curves keep their bands in the table", "[report]") {
                                                              .star = {{0.0, 68.5}}}}});
     const std::string svg = render_figure(figure).svg;
     CHECK(contains(svg, ">as in the paper<"));
-    CHECK(contains(figure.csv, "height,as in the paper,-10,20,10,30\n"));
+    CHECK(contains(figure.csv, "height,as in the paper,-10,0.2,0.1,0.3\n"));
 }
 
 TEST_CASE("a failed check is named on the first page", "[report]") {

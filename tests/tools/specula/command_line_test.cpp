@@ -58,7 +58,7 @@ TEST_CASE("every command has help with an example", "[program]") {
         CHECK(contains(help.output, "specula " + command));
     }
     const std::string study = run({"study", "--help"}).output;
-    for (const char* part : {"--seed", "--threads", "--quick", "--out", "1 to 1024", "15 s",
+    for (const char* part : {"--seed", "--threads", "--quick", "--out", "1 to 1024", "10 s",
                              "report.html", "default out/EXPERIMENT"})
         CHECK(contains(study, part));
     CHECK(contains(run({"simulate", "--help"}).output, "ADC codes in LSB"));

@@ -95,6 +95,7 @@ TEST_CASE("evaluate writes every number and draws every figure", "[program][lear
     // The second feature is 8 of its spreads away, and the first has stayed.
     const auto& departure = scores["departure_from_nominal"];
     CHECK(departure["monitors"]["mahalanobis"]["auroc"].get<double>() > 0.999);
+    CHECK(departure["monitors"]["prototypes"]["auroc"].get<double>() > 0.999);
     CHECK(departure["mean_shift_sd"][1].get<double>() == Approx(8.0).margin(0.9));
     CHECK(departure["mean_shift_sd"][0].get<double>() < 0.1);
     CHECK(departure["population_stability"][1].get<double>() > 2.0);
@@ -113,13 +114,18 @@ TEST_CASE("predict has a row per frame whose probabilities add up to 1", "[progr
     for (const auto& frame : answers["frames"]) {
         double sum = 0.0;
         for (const double p : frame["probabilities"]) sum += p;
+        // -ln(sum exp(logit)) = -largest logit + ln(largest probability), by what the two mean.
+        const auto shares = frame["probabilities"].get<std::vector<double>>();
+        const double surest = *std::max_element(shares.begin(), shares.end());
+        CHECK(frame["energy_nepers"].get<double>() ==
+              Approx(std::log(surest) - frame["max_logit"].get<double>()).margin(1e-4));
         CHECK(sum == Approx(1.0).epsilon(1e-12));
         n_suspicious += frame["suspicious"].get<bool>();
     }
     CHECK(n_suspicious > 110);  // 8 spreads away; the limit is passed by 1 % of familiar frames
     const std::string table = folder.run({"predict", "m.json", "b.h5"});
-    CHECK(table.rfind("frame,world,session,class,probability,p_glass,p_iron,p_wood,max-logit,msp,"
-                      "energy,mahalanobis,suspicious\n0,0,0,",
+    CHECK(table.rfind("frame,world,session,class,probability,p_glass,p_iron,p_wood,max_logit,"
+                      "energy_nepers,mahalanobis_squared,prototype_distance_sd,suspicious\n0,0,0,",
                       0) == 0);
     CHECK(std::count(table.begin(), table.end(), '\n') == 121);
     CHECK(folder.run({"predict", "m.json", "b.h5", "-j", "2"}) == table);
@@ -179,8 +185,23 @@ TEST_CASE("neighbours answer a cross-validation in place of a network", "[progra
     const std::string said = folder.run({"evaluate", "a.h5", "--leave-out", "session",
                                          "--neighbours", "5", "--folds", "4", "--repeats", "1"});
     CHECK((contains(said, "100.0 +- 0.0 %") || contains(said, "99.")));
-    CHECK(folder.refusal({"evaluate", "m.json", "a.h5", "--neighbours", "5"}) ==
-          "--neighbours goes with --leave-out: there is no model to judge");
+    CHECK(folder.refusal({"evaluate", "a.h5", "--leave-out", "session", "--neighbours", "5",
+                          "--mixup", "0.2"}) ==
+          "--mixup: is of a network, and --neighbours trains none; leave one of the two out");
+}
+
+TEST_CASE("a reader who has seen enough of a long table is no error", "[program][learning]") {
+    const LearningFolder folder;
+    folder.run(joined({"train", "a.h5", "-o", "m.json"}, quick_training));
+    write_dataset(folder / "long.h5", made_up_classes({.n_sessions = 200}));  // 600 kB of table
+    const Ended ended = run_program(
+        {.arguments = {"bash", "-c",
+                       "set -o pipefail; '" SPECULA_BINARY "' predict m.json long.h5 | head -1"},
+         .folder = folder.path(),
+         .environment = {{"SPECULA_HOME", SPECULA_SOURCE_DIR}}});
+    CHECK(ended.status == 0);
+    CHECK(ended.errors.empty());
+    CHECK(std::count(ended.output.begin(), ended.output.end(), '\n') == 1);
 }
 
 }  // namespace

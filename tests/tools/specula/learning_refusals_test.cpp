@@ -38,8 +38,16 @@ TEST_CASE("data that nothing can be learnt from are refused in one line", "[prog
     CHECK(train("few.h5", {"--patience", "5"}).rfind("few.h5: sessions: class \"glass\"", 0) == 0);
     CHECK(train("ungrouped.h5", {"--holdout", "session"})
               .rfind("ungrouped.h5: sessions: class \"glass\" has 1 of them", 0) == 0);
-    CHECK(folder.refusal({"evaluate", "ungrouped.h5", "--leave-out", "session"}) ==
-          "ungrouped.h5: there is only one group to leave out; record more than one");
+    CHECK(folder.refusal({"evaluate", "ungrouped.h5", "--leave-out", "session"})
+              .rfind("ungrouped.h5: /session: all frames have one session, 0: the dataset tells no "
+                     "groups apart",
+                     0) == 0);
+    CHECK(folder.refusal({"evaluate", "few.h5", "--leave-out", "session"})
+              .rfind("few.h5: /session: all frames of class \"glass\" have one session, 0: left out, "
+                     "nothing of the class is left to learn from",
+                     0) == 0);
+    CHECK(folder.refusal({"evaluate", "a.h5", "--leave-out", "object"})
+              .rfind("a.h5: /sample: all frames of class \"glass\" have one sample", 0) == 0);
     CHECK(train("a.h5", {"--mixup", "7"}) ==
           "a.h5: mixup = 7: is out of range; use 0, or 0.05 to 1");
     CHECK(train("a.h5", {"--descriptor", "range_bins 6 12 blackman"})
@@ -78,6 +86,67 @@ TEST_CASE("data that do not fit a model are refused in one line", "[program][lea
         0);
     CHECK(folder.refusal({"evaluate", "a.h5", "--leave-out", "frame", "--json", "x.json"}) ==
           "--json, --figure, --merge and --nominal go with a model, not with --leave-out");
+}
+
+TEST_CASE("columns that were swapped or renamed are refused, the first of them named",
+          "[program][learning]") {
+    const LearningFolder folder;
+    folder.run(joined({"train", "a.h5", "-o", "m.json"}, quick_training));
+    Dataset swapped = made_up_classes({});
+    swapped.feature_names = {"y", "x"};
+    write_dataset(folder / "swapped.h5", swapped);
+    Dataset renamed = made_up_classes({});
+    renamed.feature_names = {"x", "z"};
+    write_dataset(folder / "renamed.h5", renamed);
+    const std::string there =
+        " there; use data with the same columns in the same order";
+    CHECK(folder.refusal({"evaluate", "m.json", "swapped.h5"}) ==
+          "swapped.h5: features: column 0 is \"y\", and the model was trained on \"x\"" + there);
+    CHECK(folder.refusal({"predict", "m.json", "renamed.h5"}) ==
+          "renamed.h5: features: column 1 is \"z\", and the model was trained on \"y\"" + there);
+    CHECK(folder.refusal({"evaluate", "m.json", "b.h5", "--nominal", "renamed.h5"})
+              .rfind("renamed.h5: features: column 1 is \"z\"", 0) == 0);
+}
+
+TEST_CASE("what cannot mean what it says is refused", "[program][learning]") {
+    const LearningFolder folder;
+    folder.run(joined({"train", "a.h5", "-o", "m.json"}, quick_training));
+    std::filesystem::copy_file(folder / "b.h5", folder / "copy.h5");
+    CHECK(folder.refusal({"evaluate", "m.json", "b.h5", "--nominal", "copy.h5"}) ==
+          "--nominal = copy.h5: holds the frames of b.h5, and nothing departs from itself; name "
+          "nominal data of other sessions");
+    CHECK(folder.refusal({"evaluate", "m.json", "b.h5", "--merge", "iron,iron"}) ==
+          "--merge = iron: is one class; name two or more that count as one, e.g. aluminium,iron");
+    for (const Arguments& option : {Arguments{"--epochs", "5"}, {"--neighbours", "5"},
+                                    {"--folds", "3"}, {"--leak-check"}, {"--bins", "0:2"}})
+        CHECK(folder.refusal(joined({"evaluate", "m.json", "b.h5"}, option)) ==
+              option.front() +
+                  ": goes with --leave-out, and a trained model is judged as it is; leave the "
+                  "option out");
+    const std::string no_model =
+        "b.h5: is a dataset (HDF5), not a model; a model (.json) belongs here";
+    const std::string no_dataset =
+        "m.json: is JSON such as a model, not a dataset; a dataset (.h5) belongs here";
+    CHECK(folder.refusal({"evaluate", "b.h5", "m.json"}) == no_model);
+    CHECK(folder.refusal({"predict", "b.h5", "m.json"}) == no_model);
+    CHECK(folder.refusal({"evaluate", "m.json", "m.json"}) == no_dataset);
+    CHECK(folder.refusal({"train", "m.json", "-o", "x.json"}) == no_dataset);
+    CHECK(folder.refusal({"evaluate", "m.json", "--leave-out", "frame"}) == no_dataset);
+}
+
+TEST_CASE("an output that cannot be is told with status 2 before the work", "[program][learning]") {
+    const LearningFolder folder;
+    folder.run(joined({"train", "a.h5", "-o", "m.json"}, quick_training));
+    for (const Arguments& command : {Arguments{"train", "a.h5", "-o"}, {"predict", "m.json", "b.h5", "-o"},
+                                     {"evaluate", "m.json", "b.h5", "--json"}}) {
+        const std::string form = command.front() == "predict" ? "x.csv" : "x.json";
+        CHECK(folder.refusal(joined(command, {"b.h5/" + form})) ==
+              "b.h5: cannot create: Not a directory; give another place");
+        CHECK(folder.refusal(joined(command, {"/proc/" + form})) ==
+              "/proc/" + form + ": cannot create: No such file or directory; give another place");
+    }
+    CHECK(folder.refusal({"evaluate", "m.json", "b.h5", "--figure", "a.h5"}) ==
+          "a.h5: cannot create: Not a directory; give another place");
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ TEST_CASE("the folder of an output is made, or the error names it", "[output pla
     prepare_output(folder / "new" / "deep" / "x.h5", {});
     CHECK(std::filesystem::is_directory(folder / "new" / "deep"));
     write_file_atomically(folder / "file", "x");
-    CHECK_THROWS_AS(prepare_output(folder / "file" / "x.h5", {}), SystemError);
+    CHECK_THROWS_AS(prepare_output(folder / "file" / "x.h5", {}), InputError);
 }
 
 }  // namespace

@@ -30,13 +30,15 @@ TEST_CASE("a study writes what its help promises, below the folder asked for", "
     CHECK(results.at("seed") == 18446744073709551615u);
 }
 
-TEST_CASE("a study that cannot write names the path and exits 1", "[program][study]") {
+TEST_CASE("a study that cannot write names the path and exits 2", "[program][study]") {
     const MadeUpFolder folder;
     folder.with("x.toml", small_study);
     folder.with("file", "kept");
     const Ended ended = specula_in(folder.path(), {"study", "x.toml", "-o", "file/out"});
-    CHECK(ended.status == 1);
-    CHECK(ended.errors == "specula: error: file/out/datasets: cannot create: Not a directory\n");
+    CHECK(ended.status == 2);
+    CHECK(ended.errors ==
+          "specula: error: file/out/datasets: cannot create: Not a directory; give another "
+          "place\n");
     CHECK(content_of(folder / "file") == "kept");
 }
 

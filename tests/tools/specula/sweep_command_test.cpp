@@ -57,7 +57,7 @@ TEST_CASE("a folder that cannot be made is told before the sweep begins", "[prog
     folder.with("file", "");
     const Ended ended = specula_in(
         folder.path(), {"sweep", swept_plate, "--tilt", "0:80:0.1", "--out", "file/below"});
-    CHECK(ended.status == 1);
+    CHECK(ended.status == 2);
     CHECK(ended.errors.find("file/below: cannot create") != std::string::npos);
 }
 

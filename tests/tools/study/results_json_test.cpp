@@ -36,7 +36,7 @@ StudySummary summary_of_one() {
 TEST_CASE("results hold what the summary holds, under keys with units", "[study]") {
     const Json json = Json::parse(results_json(summary_of_one()));
     CHECK(json["format"] == "specula-results");
-    CHECK(json["format_version"] == 2);
+    CHECK(json["format_version"] == 3);
     CHECK(json["seed"] == 18446744073709551615ull);
     CHECK(json["fingerprints"]["height.h5"] == "0123456789abcdef");
     const Json& condition = json["conditions"][0];
@@ -47,6 +47,17 @@ TEST_CASE("results hold what the summary holds, under keys with units", "[study]
     CHECK(condition["confidence_histogram"]["bins"] == 25);
     CHECK(condition["confidence_histogram"]["correct"][24] == 4);
     CHECK(condition["paper_macro_f1"].is_null());
+    CHECK(condition["recall"] == Json({{"iron", 0.0}, {"wood", 1.0}}));
+}
+
+TEST_CASE("where nothing was answered, nothing was answered right", "[study]") {
+    StudySummary summary = summary_of_one();
+    summary.results.fallback = {{.domain = "height", .answered = {0.0, 0.0, 0.0}},
+                                {.domain = "tilt", .accuracy = Interval{0.5, 0.4, 0.6}}};
+    const Json fallback = Json::parse(results_json(summary))["fallback"];
+    CHECK(fallback[0]["accuracy_of_answered"].is_null());
+    CHECK(fallback[1]["accuracy_of_answered"] ==
+          Json({{"mean", 0.5}, {"low_95_over_worlds", 0.4}, {"high_95_over_worlds", 0.6}}));
 }
 
 TEST_CASE("the published figure stands beside the result where there is one", "[study]") {

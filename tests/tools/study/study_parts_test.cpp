@@ -85,6 +85,35 @@ TEST_CASE("a study with all its parts says the same on one thread and on two", "
         CHECK(results.ladder[2].descriptor == "range_bins 6 12 blackman looks 2 spread in motion");
         CHECK(results.ladder[2].cost.n_features == 24);
     }
+    SECTION("scores behind the recommendation are of worlds that had no say in it") {
+        CHECK(results.choosing_worlds == std::vector<std::size_t>{0});
+        for (const LadderRung& rung : results.ladder)
+            for (std::size_t domain = 0; domain < rung.domains.size(); ++domain)
+                CHECK(rung.confirmed[domain].all.mean ==
+                      Approx(rung.domains[domain].per_world.all[1]));
+    }
+    SECTION("one quantity has one interval") {
+        const Json& steps = json["waterfall"];
+        REQUIRE(steps.size() >= 2);
+        CHECK(steps[0]["macro_f1"] == json["conditions"][0]["macro_f1"]);
+        CHECK(steps[1]["macro_f1"] == json["conditions"][1]["macro_f1"]);
+        CHECK(json["ladder"][0]["domains"][0]["macro_f1"].contains("low_95_over_worlds"));
+    }
+    SECTION("bins of the reliability count every frame once") {
+        for (std::size_t i = 0; i < results.confidence.size(); ++i) {
+            std::int64_t n = 0;
+            for (const ReliabilityPoint& point : results.confidence[i].reliability) {
+                n += static_cast<std::int64_t>(point.n);
+                CHECK(point.accuracy.low <= point.accuracy.mean + 1e-12);
+                CHECK(point.accuracy.high >= point.accuracy.mean - 1e-12);
+            }
+            CHECK(n == one.summary.conditions[i].result.n_frames);
+        }
+    }
+    SECTION("a check over two worlds that passes is called weak") {
+        CHECK(check_named(one.summary, "no_nuisance").is_weak());
+        CHECK_FALSE(check_named(one.summary, "same_nuisance").is_weak());  // no interval
+    }
     SECTION("the grid holds every height with every tilt, and the receiver's cells") {
         CHECK(results.severity.height_offsets_m == std::vector<double>{0.0, 0.05});
         REQUIRE(results.severity.cells.size() == 2 * 2 + 1);

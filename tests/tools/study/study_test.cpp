@@ -7,6 +7,7 @@
 #include "sim/core/error.hpp"
 #include "sim/dataset/dataset.hpp"
 #include "sim/dataset/fingerprint.hpp"
+#include "sim/dataset/sha256.hpp"
 #include "tests/check.hpp"
 #include "tests/made_up_folder.hpp"
 #include "tests/project_catalogue.hpp"
@@ -105,7 +106,8 @@ TEST_CASE("what a study writes is what it recorded, trained and judged", "[study
         }
         CHECK(results["fingerprints"]["calibration.json"] ==
               results["calibration"]["frozen_file_hash"]);
-        CHECK(results["fingerprints"].size() == 4);
+        CHECK(results["fingerprints"]["toy.toml"] == "sha256 " + sha256_of(toy_experiment));
+        CHECK(results["fingerprints"].size() == 5);
     }
     SECTION("results count every frame once and agree with their own confusion") {
         const Json results = toy().results();
@@ -209,7 +211,7 @@ TEST_CASE("a folder that cannot be made is named", "[study]") {
     try {
         run_study(request, catalogue());
         FAIL("no error");
-    } catch (const SystemError& error) {
+    } catch (const InputError& error) {
         CHECK(std::string(error.what()).rfind(request.out.string(), 0) == 0);
     }
 }
