@@ -89,7 +89,7 @@ TEST_CASE("a descriptor that the chip has no code for is not exported", "[blob]"
 TEST_CASE("the exact form of a peak's shape is refused with the form that the chip has", "[blob]") {
     const Descriptor descriptor =
         parse_descriptor("relative_profile 6 12 blackman align 12 range 12 search 5 20");
-    const Model model = trained(echoes(1), descriptor);
+    const Model model = trained(seeded_echoes(1), descriptor);
     const std::string message = message_of([&] { model_blob(model, FW_ARITHMETIC_FLOAT); });
     CHECK(message.find("train on peak_shape") != std::string::npos);
     CHECK(message_of([&] {

@@ -119,7 +119,7 @@ TEST_CASE("classes of one name, of no material or too few are refused by line", 
 }
 
 TEST_CASE("placements and frames without laws are all alike", "[sim]") {
-    const Population population = read(two_classes);
+    const Population population = population_in(two_classes);
     CHECK(population.session.height_m.spread() == 0.0);
     CHECK(population.session.gain_db.median() == 0.0);
     CHECK(population.frame.displacement_m.spread() == 0.0);

@@ -157,6 +157,24 @@ TEST_CASE("export model gives every output a file and every C array a name of it
     CHECK(std::system(both.c_str()) == 0);
 }
 
+TEST_CASE("verify-firmware tells how it is to train where it trains, and only there",
+          "[program][firmware]") {
+    const MadeUpFolder folder;
+    three_frames(folder.path());
+    write_model(model_of_board(), folder / "m.json");
+    const auto refused = [&](std::vector<std::string> arguments, const std::string& message) {
+        arguments.insert(arguments.begin(), {"verify-firmware", "three.h5"});
+        const Ended ended = specula_in(folder.path(), arguments);
+        INFO(ended.errors);
+        CHECK(ended.status == 2);
+        CHECK(contains(ended.errors, message));
+    };
+    refused({"m.json", "--hidden", "8"}, "m.json: is trained already; leave out --descriptor");
+    refused({"--descriptor", "nonsense"}, "descriptor = \"nonsense\": begins with none of");
+    refused({"--descriptor", "relative_profile 6 12 blackman align 12 range 12 search 5 20"},
+            "train on peak_shape");
+}
+
 TEST_CASE("a model without a measurement is told what is missing, by every command the same",
           "[program][firmware]") {
     const MadeUpFolder folder;
