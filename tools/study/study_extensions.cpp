@@ -1,5 +1,11 @@
 #include <algorithm>
 
+#include "classifier/descriptor.hpp"
+#include "classifier/measurement.hpp"
+#include "classifier/model_blob.hpp"
+#include "classifier/model_file.hpp"
+#include "sim/core/atomic_file.hpp"
+#include "sim/core/error.hpp"
 #include "sim/core/format.hpp"
 #include "tools/study/attribution.hpp"
 #include "tools/study/honesty.hpp"
@@ -62,7 +68,44 @@ void add_percentiles(const StudyState& state, StudyResults& results) {
     }
 }
 
-void add_severity(const StudyState& state, const Ladder* ladder, StudyResults& results) {
+/// The recommended rung, and one model of it per world.
+struct Recommended {
+    const RungPlan* plan;
+    std::vector<Model> models;
+};
+
+std::optional<Recommended> recommended_of(const StudyContext& context, const Ladder& ladder,
+                                          const std::vector<LadderRung>& rungs) {
+    for (std::size_t i = 0; i < rungs.size(); ++i)
+        if (rungs[i].recommended) {
+            const RungPlan& plan = context.experiment.protocol.rungs[i];
+            return Recommended{&plan, ladder.models_of(plan)};
+        }
+    return std::nullopt;
+}
+
+/// The first world's model for evaluate and predict, and for the chip where it can run it.
+DeviceFiles write_recommended(const StudyContext& context, const Recommended& recommended) {
+    DeviceFiles files{.model = "models/recommended.json"};
+    Model model = recommended.models.front();
+    const Descriptor descriptor = parse_descriptor(recommended.plan->descriptor);
+    model.provenance.emplace_back("descriptor", descriptor.text());
+    model.measurement = measurement_of(context.experiment.radar, descriptor.bins);
+    write_model(model, context.run.folder / files.model);
+    try {
+        const auto blob = model_blob(model, FW_ARITHMETIC_FLOAT);
+        files.blob = "firmware/recommended.rfwm";
+        const std::string bytes(blob.begin(), blob.end());
+        write_file_atomically(context.run.folder / files.blob, bytes);
+    } catch (const InputError& error) {  // of model_blob: what the firmware cannot hold
+        files.blob.clear();
+        files.why_no_blob = error.what();
+    }
+    return files;
+}
+
+void add_severity(const StudyState& state, const std::optional<Recommended>& recommended,
+                  StudyResults& results) {
     const StudyContext& context = state.context;
     const auto worlds =
         static_cast<std::size_t>(std::min(context.extent.severity_worlds, context.run.worlds));
@@ -71,12 +114,11 @@ void add_severity(const StudyState& state, const Ladder* ladder, StudyResults& r
                                   models.begin() + static_cast<std::ptrdiff_t>(worlds));
     };
     std::vector<GridEntrant> entrants{{"As in the paper", "", first(state.baseline.models)}};
-    for (std::size_t i = 0; i < results.ladder.size(); ++i)
-        if (ladder != nullptr && results.ladder[i].recommended && i > 0 &&
-            !context.experiment.protocol.rungs[i].motion) {  // the grid stands still
-            const RungPlan& plan = context.experiment.protocol.rungs[i];
-            entrants.push_back({plan.title, plan.kind(), first(ladder->models_of(plan))});
-        }
+    const bool is_other =
+        recommended && recommended->plan != &context.experiment.protocol.rungs.front();
+    if (is_other && !recommended->plan->motion)  // the grid stands still
+        entrants.push_back({recommended->plan->title, recommended->plan->kind(),
+                            first(recommended->models)});
     results.severity = severity_grid(context, entrants);
 }
 
@@ -94,6 +136,7 @@ void extend_study(const StudyState& state, StageClock& clock, StudySummary& summ
         clock.ended("monitors");
     }
     std::optional<Ladder> ladder;
+    std::optional<Recommended> recommended;
     const auto conditions = conditions_of(state);
     const LadderInput input{state.recordings.front(), conditions};
     if (context.extent.ladder && !protocol.rungs.empty()) {
@@ -101,10 +144,12 @@ void extend_study(const StudyState& state, StageClock& clock, StudySummary& summ
         clock.ended("recording for remedies");
         results.ladder = ladder->run();
         results.choosing_worlds = choosing_worlds(static_cast<std::size_t>(context.run.worlds));
+        recommended = recommended_of(context, *ladder, results.ladder);
+        if (recommended) results.device = write_recommended(context, *recommended);
         clock.ended("remedies");
     }
     if (context.extent.severity_worlds > 0 && protocol.severity) {
-        add_severity(state, ladder ? &*ladder : nullptr, results);
+        add_severity(state, recommended, results);
         clock.ended("severity grid");
     }
     if (context.extent.variant_worlds > 0) {
