@@ -68,7 +68,7 @@ std::string Canvas::axis_titles(const PixelBox& box, const std::string& below,
 double text_width_px(std::string_view utf8, double size_px, bool bold) {
     const auto n_characters =
         std::count_if(utf8.begin(), utf8.end(), [](char c) { return (c & 0xC0) != 0x80; });
-    return (bold ? 0.56 : 0.51) * size_px * static_cast<double>(n_characters);
+    return (bold ? 0.6 : 0.51) * size_px * static_cast<double>(n_characters);
 }
 
 std::vector<std::string> wrapped(const std::string& text, double width_px, bool bold) {

@@ -40,7 +40,11 @@ GainLayout gain_layout(const GainContent& content) {
 /// Whole tens of points around all intervals of a panel, and zero.
 struct GainSpan {
     double low = 0.0, high = 0.0;
-    double step() const { return high - low > 100.0 ? 50.0 : high - low > 40.0 ? 20.0 : 10.0; }
+    /// Two or three ticks: more do not fit side by side.
+    double step() const {
+        const double width = high - low;
+        return width > 100.0 ? 50.0 : width > 50.0 ? 40.0 : width > 20.0 ? 20.0 : 10.0;
+    }
 };
 
 GainSpan gain_span(const GainContent& content, std::size_t panel) {

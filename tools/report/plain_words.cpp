@@ -98,6 +98,21 @@ std::string five_class_text(const StudySummary& study,
     return text;
 }
 
+/// What of it is on disk, and what runs on the chip.
+std::string device_text(const StudyResults& results) {
+    if (!results.device) return {};
+    const DeviceFiles& files = *results.device;
+    if (files.blob.empty())
+        return format(
+            " Its first world\u2019s model is in {}, for evaluate and predict; it does not run in "
+            "the firmware: {}.",
+            files.model, files.why_no_blob);
+    return format(
+        " Its first world\u2019s model is in {}, for evaluate and predict, and in {}, for the "
+        "firmware, which computes inputs and answers.",
+        files.model, files.blob);
+}
+
 void say_remedy(const StudySummary& study, std::vector<Paragraph>& words) {
     for (const LadderRung& rung : study.results.ladder) {
         if (!rung.recommended) continue;
@@ -119,6 +134,7 @@ void say_remedy(const StudySummary& study, std::vector<Paragraph>& words) {
                 rung.cost.high_us);
         if (!missing.empty())
             text += format(" Below {}: {}.", percent_text(recovered), listed(missing));
+        text += device_text(study.results);
         words.push_back({.lead = "The repair.", .text = text});
     }
 }

@@ -134,6 +134,13 @@ struct LadderRung {
     std::vector<DomainScore> confirmed{};
 };
 
+/// Files of the recommended rung's model, of the first world; below the study's folder.
+struct DeviceFiles {
+    std::string model{};        ///< as train writes it
+    std::string blob{};         ///< for the firmware; empty: it cannot run it
+    std::string why_no_blob{};  ///< what the firmware lacks
+};
+
 /// How well a score tells frames of a domain from those of the nominal recording made anew.
 struct DetectorScore {
     std::string detector{}, domain{};
@@ -183,6 +190,7 @@ struct StudyResults {
     std::vector<PaperPercentile> percentiles{};
     SeverityGrid severity{};
     std::vector<LadderRung> ladder{};
+    std::optional<DeviceFiles> device{};
     std::vector<std::size_t> choosing_worlds{};  ///< that decide which rung is recommended
     std::vector<DetectorScore> detectors{};
     std::vector<FallbackScore> fallback{};

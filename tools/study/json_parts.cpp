@@ -105,6 +105,17 @@ void add_ladder(const StudyResults& results, Json& json) {
                                   {"gain_over_baseline_merged", intervals_json(rung.gain_merged)}});
 }
 
+void add_device(const StudyResults& results, Json& json) {
+    if (!results.device) return;
+    const DeviceFiles& files = *results.device;
+    const auto text = [](const std::string& value) {
+        return value.empty() ? Json(nullptr) : Json(value);
+    };
+    json["recommendation"]["model"] = files.model;
+    json["recommendation"]["blob"] = text(files.blob);
+    json["recommendation"]["why_no_blob"] = text(files.why_no_blob);
+}
+
 void add_severity(const SeverityGrid& grid, Json& json) {
     if (grid.cells.empty()) return;
     Json cells = Json::array();
@@ -180,6 +191,7 @@ void add_results(const StudyResults& results, Json& json) {
     add_attribution(results, json);
     add_checks(results, json);
     add_ladder(results, json);
+    add_device(results, json);
     add_severity(results.severity, json);
     add_monitors(results, json);
 }

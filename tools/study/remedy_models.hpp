@@ -17,7 +17,9 @@ std::optional<Remedy> train_remedy(const Ladder& ladder, const std::vector<RungP
                                    const std::vector<LadderRung>& rungs);
 
 /// models/remedy_world_000.json, ... below `folder`: with descriptor and chirp, so that `predict`
-/// and, if the chip has code for the descriptor, `export model` and `verify-firmware` take them.
-void write_remedy(const Remedy& remedy, const Radar& radar, const std::filesystem::path& folder);
+/// and, if the chip has code for the descriptor, `export model` and `verify-firmware` take them. Of
+/// the first world's also the blob, where the chip can hold it.
+DeviceFiles write_remedy(const Remedy& remedy, const Radar& radar,
+                         const std::filesystem::path& folder);
 
 }  // namespace specula

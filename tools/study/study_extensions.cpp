@@ -1,6 +1,5 @@
 #include <algorithm>
 
-#include "sim/core/format.hpp"
 #include "tools/study/attribution.hpp"
 #include "tools/study/honesty.hpp"
 #include "tools/study/ladder.hpp"
@@ -92,6 +91,7 @@ void extend_study(const StudyState& state, StageClock& clock, StudySummary& summ
         clock.ended("monitors");
     }
     std::optional<Ladder> ladder;
+    std::optional<Remedy> remedy;
     const auto conditions = conditions_of(state);
     const LadderInput input{state.recordings.front(), conditions};
     if (context.extent.ladder && !protocol.rungs.empty()) {
@@ -99,11 +99,11 @@ void extend_study(const StudyState& state, StageClock& clock, StudySummary& summ
         clock.ended("recording for remedies");
         results.ladder = ladder->run();
         results.choosing_worlds = choosing_worlds(static_cast<std::size_t>(context.run.worlds));
+        remedy = train_remedy(*ladder, protocol.rungs, results.ladder);
+        if (remedy)
+            results.device = write_remedy(*remedy, context.experiment.radar, context.run.folder);
         clock.ended("remedies");
     }
-    std::optional<Remedy> remedy;
-    if (ladder) remedy = train_remedy(*ladder, protocol.rungs, results.ladder);
-    if (remedy) write_remedy(*remedy, context.experiment.radar, context.run.folder);
     if (context.extent.severity_worlds > 0 && protocol.severity) {
         add_severity(state, remedy, results);
         clock.ended("severity grid");

@@ -56,6 +56,11 @@ TEST_CASE("the summary gives the price of the remedy and its interval, of unused
                     "to 78.4) on random frames, where the paper\u2019s classifier scores 99.8"));
     CHECK(has(text, "75.0\u00a0% or more in every condition"));
     CHECK(has(text, "iron and aluminium taken for each other"));
+    StudySummary kept = with_ladder();
+    kept.results.device = DeviceFiles{.model = "models/m.json", .why_no_blob = "no such code"};
+    CHECK(has(words_under(kept, "The repair."), "does not run in the firmware: no such code"));
+    kept.results.device = DeviceFiles{.model = "models/m.json", .blob = "firmware/m.rfwm"};
+    CHECK(has(words_under(kept, "The repair."), "in firmware/m.rfwm, for the firmware"));
     StudySummary one_world = with_ladder();
     one_world.results.ladder[1].confirmed.clear();
     CHECK(has(words_under(one_world, "The repair."), "a selected figure, not a fair one"));

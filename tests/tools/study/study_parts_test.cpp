@@ -1,6 +1,10 @@
+#include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "classifier/descriptor.hpp"
+#include "classifier/model_file.hpp"
 #include "sim/core/error.hpp"
 #include "tests/check.hpp"
 #include "tests/tools/study/toy_protocol.hpp"
@@ -12,6 +16,7 @@ namespace specula {
 namespace {
 
 using Json = nlohmann::json;
+namespace fs = std::filesystem;
 
 /// The toy study with all its parts, kept.
 class WholeToy : public MadeUpFolder {
@@ -91,6 +96,18 @@ TEST_CASE("a study with all its parts says the same on one thread and on two", "
             for (std::size_t domain = 0; domain < rung.domains.size(); ++domain)
                 CHECK(rung.confirmed[domain].all.mean ==
                       Approx(rung.domains[domain].per_world.all[1]));
+    }
+    SECTION("the recommended model is kept, and the firmware's blob or the reason why there is none") {
+        const Model model = read_model(one.path() / "out/models/remedy_world_000.json");
+        const auto best = std::ranges::find_if(
+            results.ladder, [](const LadderRung& rung) { return rung.recommended; });
+        REQUIRE(best != results.ladder.end());
+        CHECK(best->descriptor.starts_with(descriptor_of(model).text()));
+        REQUIRE(results.device);
+        CHECK(results.device->blob.empty() != results.device->why_no_blob.empty());
+        CHECK(fs::exists(one.path() / "out/firmware/remedy.rfwm") ==
+              !results.device->blob.empty());
+        CHECK(json["recommendation"]["blob"].is_null() == results.device->blob.empty());
     }
     SECTION("one quantity has one interval") {
         const Json& steps = json["waterfall"];
