@@ -1,8 +1,5 @@
 #include "tools/specula/command_line.hpp"
 
-#include <poll.h>
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cerrno>
@@ -25,6 +22,7 @@
 #include "tools/specula/freed_memory.hpp"
 #include "tools/specula/home.hpp"
 #include "tools/specula/learning_options.hpp"
+#include "tools/specula/printed_output.hpp"
 #include "tools/specula/serve_options.hpp"
 #include "tools/specula/sweep_options.hpp"
 
@@ -47,7 +45,8 @@ constexpr const char* first_steps =
 void add_study(CLI::App& program, StudyArguments& arguments) {
     CLI::App* command = add_command(
         program, "study",
-        "Run an experiment: record, train, judge, report (two to five minutes for the paper's, on two cores)",
+        "Run an experiment: record, train, judge, report (two to five minutes for the paper's, on "
+        "two cores)",
         "specula study paper --out /tmp/paper --threads 2\n"
         "  Writes report.html, results.json, figures/, datasets/*.h5, models/ and firmware/.");
     command
@@ -96,9 +95,10 @@ void add_show(CLI::App& program, std::vector<std::string>& words, ShowArguments&
         ->required()
         ->expected(1, 2);
     command
-        ->add_option("--figure", arguments.figure,
-                     "draw what a material reflects, or what is in a dataset: a folder for SVG, PNG "
-                     "and CSV; of a dataset also one .svg or .png file")
+        ->add_option(
+            "--figure", arguments.figure,
+            "draw what a material reflects, or what is in a dataset: a folder for SVG, PNG "
+            "and CSV; of a dataset also one .svg or .png file")
         ->type_name("WHERE");
 }
 
@@ -159,22 +159,6 @@ void refuse_empty_outputs(CLI::App& program) {
                 return name.empty() ? std::string("is empty; name a file or a folder") : "";
             });
     }
-}
-
-/// Whether nobody reads what is printed any more. An earlier, larger piece may have met the closed
-/// pipe; what then became of errno says nothing.
-bool reader_has_gone() {
-    pollfd output{.fd = STDOUT_FILENO, .events = POLLOUT, .revents = 0};
-    return ::poll(&output, 1, 0) == 1 && (output.revents & (POLLERR | POLLHUP)) != 0;
-}
-
-/// What was printed may not fit on a disk; a reader who closed the pipe has seen enough.
-void flush_output() {
-    errno = 0;
-    if (std::fflush(stdout) == 0 && !std::ferror(stdout)) return;
-    if (errno == EPIPE || reader_has_gone()) return;
-    throw SystemError(std::string("standard output: cannot write: ") +
-                      (errno == 0 ? "a part is lost" : std::strerror(errno)));
 }
 
 }  // namespace
@@ -239,7 +223,8 @@ int run_program(int argc, char** argv) {
     add_command(program, "list", "List what is known by name", "specula list materials")
         ->add_option("KIND", listed, "materials, radars, experiments, datasets or sweeps")
         ->required()
-        ->check(CLI::IsMember({"materials", "radars", "experiments", "datasets", "sweeps"}).description(""));
+        ->check(CLI::IsMember({"materials", "radars", "experiments", "datasets", "sweeps"})
+                    .description(""));
     add_command(program, "completion", "Print a completion script for a shell",
                 "eval \"$(specula completion bash)\"")
         ->add_option("SHELL", shell, "bash or zsh")
@@ -282,7 +267,7 @@ int run_program(int argc, char** argv) {
             if (command == "list") list_command(listed, catalogue);
             if (command == "show") show_command(with_words(show, shown), catalogue);
         }
-        flush_output();
+        flush_printed_output();
         return status;
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return program.exit(error);  // --help, --version

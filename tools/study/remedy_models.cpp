@@ -27,7 +27,7 @@ void write_blob(const Model& model, const std::filesystem::path& folder, DeviceF
 
 std::optional<Remedy> train_remedy(const Ladder& ladder, const std::vector<RungPlan>& plans,
                                    const std::vector<LadderRung>& rungs) {
-    for (std::size_t i = 1; i < rungs.size(); ++i)
+    for (std::size_t i = 0; i < rungs.size(); ++i)
         if (rungs[i].recommended)
             return Remedy{.plan = &plans[i], .models = ladder.models_of(plans[i])};
     return std::nullopt;

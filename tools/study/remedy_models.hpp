@@ -12,7 +12,7 @@ struct Remedy {
     std::vector<Model> models;  ///< (world)
 };
 
-/// Nothing where the ladder recommends its first rung, the baseline: its models are there.
+/// Nothing where the ladder recommends no rung.
 std::optional<Remedy> train_remedy(const Ladder& ladder, const std::vector<RungPlan>& plans,
                                    const std::vector<LadderRung>& rungs);
 

@@ -72,7 +72,8 @@ void add_severity(const StudyState& state, const std::optional<Remedy>& remedy,
                                   models.begin() + static_cast<std::ptrdiff_t>(worlds));
     };
     std::vector<GridEntrant> entrants{{"As in the paper", "", first(state.baseline.models)}};
-    if (remedy && !remedy->plan->motion)  // the grid stands still
+    const bool is_other = remedy && remedy->plan != &context.experiment.protocol.rungs.front();
+    if (is_other && !remedy->plan->motion)  // the grid stands still
         entrants.push_back({remedy->plan->title, remedy->plan->kind(), first(remedy->models)});
     results.severity = severity_grid(context, entrants);
 }

@@ -66,16 +66,15 @@ TEST_CASE("a dataset that cannot be written is named, and no draft stays", "[pro
     std::filesystem::create_directory(folder / "taken");
     struct Bad {
         const char* out;
-        int status;
         const char* beginning;
     };
-    for (const auto& [out, status, beginning] :
-         {Bad{"file/x.h5", 1, "file: cannot create: "},
-          Bad{"/proc/none/x.h5", 1, "/proc/none: cannot create: "},
-          Bad{"/proc/x.h5", 1, "/proc/x.h5: cannot create: "},
-          Bad{"taken", 2, "taken: is there, and is no file; give another name"}}) {
+    for (const auto& [out, beginning] :
+         {Bad{"file/x.h5", "file: cannot create: "},
+          Bad{"/proc/none/x.h5", "/proc/none: cannot create: "},
+          Bad{"/proc/x.h5", "/proc/x.h5: cannot create: "},
+          Bad{"taken", "taken: is there, and is no file; give another name"}}) {
         const Ended ended = specula_in(folder.path(), {"simulate", plate, "--out", out});
-        CHECK(ended.status == status);
+        CHECK(ended.status == 2);
         CHECK(ended.errors.rfind(std::string("specula: error: ") + beginning, 0) == 0);
         CHECK(ended.errors.find('\n') == ended.errors.size() - 1);
     }

@@ -52,7 +52,7 @@ const std::vector<StudyMistake> study_mistakes{
      "x.toml:4: worlds = 0: is out of range; give a value at least 1 and at most 1000"},
     {"worlds = 2", "wolrds = 2",
      "x.toml:1: worlds: is missing; add it, or is it meant by wolrds in line 4?"},
-    {"seed = 1", "seed = -1", "x.toml:3: seed = -1: is out of range; give a value at least 0"},
+    {"seed = 1", "seed = -1", "x.toml:3: seed = -1: is not a whole number from 0 to"},
     {"[descriptor]", "[extra]\n[descriptor]",
      "extra = {...}: is not a key of this file; remove it"},
     {"nominal_height_mm = 450", "nominal_height_m = 5",
