@@ -52,9 +52,14 @@ TEST_CASE("validate writes its numbers and a page that stands alone", "[program]
 
 TEST_CASE("without a folder validate takes the cases of the project", "[program][validate]") {
     const MadeUpFolder folder;
-    const Ended own = specula_in(folder.path(), {"validate"});
-    CHECK(own.output.find("M03_slab") != std::string::npos);
-    CHECK(own.output.find("46 cases, 789 points") != std::string::npos);
+    folder.with("home/tests/reference/a.json", good);
+    std::filesystem::create_directory_symlink(SPECULA_SOURCE_DIR "/materials",
+                                              folder / "home/materials");
+    const Ended own = run_program({.arguments = {SPECULA_BINARY, "validate"},
+                                   .folder = folder.path(),
+                                   .environment = {{"SPECULA_HOME", (folder / "home").string()}}});
+    CHECK(own.status == 0);
+    CHECK(own.output.find("M01_x") != std::string::npos);
     CHECK(specula_in(folder.path(), {"validate", "nowhere"}).status == 2);
 }
 

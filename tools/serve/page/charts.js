@@ -1,9 +1,10 @@
 // The page's plots: what each of them shows of an answer.
 
-import { Plot, area, band, bars, cursor, dots, line, note, shown } from './plot.js';
+import { Plot, area, band, bars, cursor, dots, line, shown } from './plot.js';
 
 const LEAST_LSB = 0.05;
 const decibels = (amplitude) => 20 * Math.log10(Math.max(amplitude, LEAST_LSB));
+const nepers = (value) => Math.max(-26, value * 8.685889638);
 const index = (n) => Array.from({ length: n }, (_, i) => i);
 
 /** The smallest of a few round ranges that holds a value, so that the axis rarely moves. */
@@ -14,6 +15,7 @@ function reach(value) {
 export class Charts {
   constructor(parent, facts) {
     this.facts = facts;
+    this.learnt = new Map();
     const plot = (title, x, y) => new Plot(parent, { title, x, y });
     this.profile = plot('Range profile', 'range bin', 'amplitude (dB over 1 LSB)');
     this.descriptor = plot('Descriptor: 12 numbers', 'range bin', 'amplitude (dB over 1 LSB)');
@@ -47,7 +49,7 @@ export class Charts {
     const peak = search.indexOf(Math.max(...search));
     this.profile.draw({
       x: [-0.7, n - 0.3], y: [-20, 66], xTicks: index(n).filter((bin) => bin % 3 === 0),
-      marks: [band(first - 0.5, first + count - 0.5, 'window', 'window-edge'),
+      marks: [this.window ??= band(first - 0.5, first + count - 0.5, 'window', 'window-edge'),
         bars(index(n), levels, (bin) => (inside(bin) ? 'bar in' : 'bar')),
         dots([profile.height_bin], [decibels(profile.mirror_lsb)], 'ring', 5)],
     });
@@ -58,29 +60,44 @@ export class Charts {
 
   showDescriptor(answer, values, model) {
     const said = answer.models.find((each) => each.name === model.name);
-    const bins = index(this.facts.n_bins).map((i) => i + this.facts.first_bin);
+    const bins = this.descriptorBins;
     const own = said ? said.features : answer.profile.lsb.slice(bins[0], bins[0] + bins.length);
     // ln LSB and LSB on one scale: 20 log10.
-    const scale = said && model.is_logarithm ? (v) => Math.max(-26, v * 8.685889638) : decibels;
-    this.descriptor.words.y = 'amplitude (dB over 1 LSB)';
-    const marks = said ? model.bands.flatMap((each, i) => [
-      area(bins, each.low.map(scale), each.high.map(scale), `a${i + 1}`),
-      line(bins, each.middle.map(scale), `thin s${i + 1}`)]) : [];
+    const scale = said && model.is_logarithm ? nepers : decibels;
     this.descriptor.draw({ x: [bins[0] - 0.3, bins.at(-1) + 0.3], y: [-20, 66], xTicks: bins,
-      marks: [...marks, line(bins, own.map(scale), 'strong'), dots(bins, own.map(scale), 'dot', 4)] });
+      marks: [...(said ? this.bandsOf(model) : []), line(bins, own.map(scale), 'strong'), dots(bins, own.map(scale), 'dot', 4)] });
     this.descriptor.explain([...this.facts.classes.map((name, i) => [`f${i + 1}`, name]), ['ink', 'this chirp']]);
     this.descriptor.say(model.is_logarithm ? 'shifted to its peak, times range' : 'as it stands',
       said ? `Compared with what the model learnt: ${said.is_familiar ? 'familiar' : 'unfamiliar'}` : 'No model knows this chirp');
   }
 
+  get descriptorBins() {
+    return index(this.facts.n_bins).map((i) => i + this.facts.first_bin);
+  }
+
+  /** What a model learnt, as marks that stay the same. */
+  bandsOf(model) {
+    const scale = model.is_logarithm ? nepers : decibels;
+    const bins = this.descriptorBins;
+    if (!this.learnt.has(model.name)) {
+      this.learnt.set(model.name, model.bands.flatMap((each, i) => [
+        area(bins, each.low.map(scale), each.high.map(scale), `a${i + 1}`),
+        line(bins, each.middle.map(scale), `thin s${i + 1}`)]));
+    }
+    return this.learnt.get(model.name);
+  }
+
   showSlab({ slab }) {
+    const key = JSON.stringify(slab);
+    if (key === this.shownSlab) return;
+    this.shownSlab = key;
     const f = index(slab.over_mirror_db.length).map((i) => slab.first_ghz + i * slab.step_ghz);
     const inBand = slab.over_mirror_db.filter((_, i) => f[i] >= slab.chirp_ghz[0] && f[i] <= slab.chirp_ghz[1]);
     const power = inBand.reduce((sum, db) => sum + 10 ** (db / 10), 0) / inBand.length;
     this.slab.draw({ x: [57, 64], y: [-42, 2],
       marks: [band(slab.chirp_ghz[0], slab.chirp_ghz[1], 'window', 'window-edge'), line(f, slab.over_mirror_db)] });
     const mean = shown(10 * Math.log10(power));
-    this.slab.say(inBand.length ? `${mean} dB in the mean of the chirp` : '');
+    this.slab.say(inBand.length ? `${mean} dB on average` : '');
     this.slab.explain([['fw', 'swept by the chirp']]);
   }
 
@@ -95,7 +112,11 @@ export class Charts {
   takeCurve(axis, answer, values) {
     this[`${axis}Curve`] = answer ?? this[`${axis}Curve`];
     this[axis].figure.classList.toggle('stale', !answer);
-    if (answer) this.showCurve(axis, values);
+    if (!answer) return;
+    const off = stretches(answer.x, answer.foot_margin).map(([from, to]) => band(from, to, 'off'));
+    this[`${axis}Marks`] = [...off, line(answer.x, answer.level_db)];
+    this[axis].explain(off.length ? [['fo', 'the mirror\u2019s foot has left the sample']] : []);
+    this.showCurve(axis, values);
   }
 
   showCurve(axis, values) {
@@ -108,12 +129,10 @@ export class Charts {
     const y = axis === 'tilt' ? [Math.min(-30, Math.floor(low / 10) * 10), Math.max(6, Math.ceil(high / 5) * 5)]
       : [Math.floor((low - 2) / 5) * 5, Math.ceil((high + 1) / 5) * 5];
     const here = interpolate(curve.x, curve.level_db, at);
-    const off = stretches(curve.x, curve.foot_margin).map(([from, to]) => band(from, to, 'off'));
-    const marks = [...off, line(curve.x, curve.level_db), cursor(at)];
+    const marks = [...this[`${axis}Marks`], cursor(at)];
     if (here !== null) marks.push(dots([at], [here]));
     plot.draw({ x, y, marks });
     plot.say(here === null ? 'beyond the curve' : `${shown(here)} ${axis === 'tilt' ? 'dB' : 'dBm'} at ${shown(at)} ${axis === 'tilt' ? 'degrees' : 'mm'}`);
-    plot.explain(off.length ? [['fo', 'the mirror\u2019s foot has left the sample']] : []);
   }
 }
 

@@ -24,6 +24,11 @@ export function element(name, attributes = {}, ...children) {
   return made;
 }
 
+/** Changes an element's text where it differs. */
+export function put(element, text) {
+  if (element.textContent !== text) element.textContent = text;
+}
+
 const decimals = (step) => (step >= 1 ? 0 : step >= 0.1 ? 1 : 2);
 
 export class Controls {
@@ -63,14 +68,17 @@ export class Controls {
   number(field) {
     const [min, max] = SLIDER[field.key] ?? [field.min, field.max];
     const id = `field-${field.key}`;
+    let drawn = null;
     const change = (event) => {
       const value = event.target.valueAsNumber;
       if (this.state.allowed(field.key, value)) this.state.set({ [field.key]: value });
     };
     const slider = element('input', { type: 'range', id, min, max, step: field.step, oninput: change, 'aria-label': field.title });
-    const typed = element('input', { type: 'number', min: field.min, max: field.max, step: 'any', onchange: change, onblur: () => this.show(this.state.values), 'aria-label': `${field.title}${field.unit && `, ${field.unit}`}, ${field.min} to ${field.max}` });
+    const typed = element('input', { type: 'number', min: field.min, max: field.max, step: 'any', onchange: change, onblur: () => { drawn = null; this.show(this.state.values); }, 'aria-label': `${field.title}${field.unit && `, ${field.unit}`}, ${field.min} to ${field.max}` });
     this.showers.push((values) => {
       const value = values[field.key];
+      if (value === drawn && document.activeElement !== typed) return;
+      drawn = value;
       slider.value = value;
       slider.setAttribute('aria-valuetext', `${value} ${field.unit}`);
       if (document.activeElement !== typed) typed.value = value.toFixed(decimals(field.step)).replace(/(\.\d*?)0+$/, '$1').replace(/\.$/, '');
@@ -84,8 +92,9 @@ export class Controls {
     const note = element('small', { class: 'note' });
     this.showers.push(({ session }) => {
       const known = this.state.facts.training_sessions;
-      note.textContent = session === 0 ? 'The bench drawing: no room, nothing misplaced'
+      const text = session === 0 ? 'The bench drawing: no room, nothing misplaced'
         : session <= known ? 'One of the recordings the models learnt from' : 'A recording no model has seen';
+      put(note, text);
     });
     return note;
   }
@@ -93,7 +102,12 @@ export class Controls {
   choice(key) {
     const buttons = CHOICES[key].map(([value, title]) =>
       element('button', { type: 'button', onclick: () => this.state.set({ [key]: value }) }, title));
-    this.showers.push((values) => buttons.forEach((button, i) => button.setAttribute('aria-pressed', values[key] === CHOICES[key][i][0])));
+    let drawn = '';
+    this.showers.push((values) => {
+      if (values[key] === drawn) return;
+      drawn = values[key];
+      buttons.forEach((button, i) => button.setAttribute('aria-pressed', drawn === CHOICES[key][i][0]));
+    });
     return element('div', { class: 'pair', role: 'group', 'aria-label': key === 'tilted' ? 'What is tilted' : 'Plane of the tilt' }, ...buttons);
   }
 
@@ -106,7 +120,10 @@ export class Controls {
       select.append(element('optgroup', { label: group }, ...facts.materials.filter((each) => each.group === group)
         .map((each) => element('option', { value: each.name }, each.name.replaceAll('_', ' ')))));
     }
+    let drawn = '';
     this.showers.push(({ material }) => {
+      if (material === drawn) return;
+      drawn = material;
       select.value = material;
       chips.forEach((chip, i) => chip.setAttribute('aria-pressed', facts.classes[i] === material));
     });

@@ -1,7 +1,7 @@
 // Puts the page together: state, controls, answers, pictures.
 
 import { Charts } from './charts.js';
-import { Controls, element } from './controls.js';
+import { Controls, element, put } from './controls.js';
 import { Lessons } from './lessons.js';
 import { shown } from './plot.js';
 import { Follower, ask } from './server.js';
@@ -14,7 +14,7 @@ const at = (id) => document.getElementById(id);
 const CURVE_REST_MS = 140;  // a curve is asked for when the hand rests
 const SAID_REST_MS = 700;
 const LIVE_MS = 60;
-const MOST_MEASURES = 5000;
+const MOST_CHIRPS = 2;  // one is drawn while the next is computed
 
 /** What of the state a curve depends on. */
 function curveKey(axis, request) {
@@ -24,12 +24,12 @@ function curveKey(axis, request) {
 
 function themes() {
   const dark = matchMedia('(prefers-color-scheme: dark)');
-  const put = (name) => document.documentElement.setAttribute('data-theme', name);
+  const wear = (name) => document.documentElement.setAttribute('data-theme', name);
   const now = () => document.documentElement.dataset.theme;
-  put(localStorage.getItem('theme') ?? (dark.matches ? 'dark' : 'light'));
-  dark.addEventListener('change', () => localStorage.getItem('theme') ?? put(dark.matches ? 'dark' : 'light'));
+  wear(localStorage.getItem('theme') ?? (dark.matches ? 'dark' : 'light'));
+  dark.addEventListener('change', () => localStorage.getItem('theme') ?? wear(dark.matches ? 'dark' : 'light'));
   at('theme').addEventListener('click', () => {
-    put(now() === 'dark' ? 'light' : 'dark');
+    wear(now() === 'dark' ? 'light' : 'dark');
     localStorage.setItem('theme', now());
   });
 }
@@ -45,7 +45,9 @@ function showFacts(values, { foot, placement }) {
     ['Mirror\u2019s foot', foot.margin < 0 ? 'off the sample' : `${shown(Math.hypot(foot.x_mm, foot.y_mm))} mm off centre`],
     ['Smallest plate', foot.critical_mm < 1 ? 'any' : `${shown(foot.critical_mm)} mm`]];
   if (values.session > 0) rows.push(['Mounted', `${placement.height_mm >= 0 ? '+' : '\u2212'}${Math.abs(placement.height_mm).toFixed(1)} mm, ${shown(Math.hypot(placement.tilt_x_deg, placement.tilt_y_deg), 2)}\u00b0 off`]);
-  at('facts').replaceChildren(...rows.flatMap(([name, value]) => [element('dt', {}, name), element('dd', {}, value)]));
+  const list = at('facts');
+  if (list.childNodes.length !== 2 * rows.length) list.replaceChildren(...rows.flatMap(() => [element('dt'), element('dd')]));
+  rows.flat().forEach((text, i) => put(list.childNodes[i], text));
 }
 
 function makeView(facts) {
@@ -67,7 +69,7 @@ async function start() {
   const charts = new Charts(at('plots'), facts);
   const verdict = new Verdict(state);
   new Lessons(state);
-  let latest = null;
+  let latest = null, paceTimer = 0;
 
   const complain = (error) => {
     controls.complain(error.message);
@@ -86,9 +88,10 @@ async function start() {
     controls.complain('');
     redraw();
     view?.show(request, answer.foot);
-    at('status').textContent = answer.warnings.length ? `Note: ${answer.warnings.join('; ')}` : 'Ready';
-    showPace();
-  }, complain);
+    put(at('status'), answer.warnings.length ? `Note: ${answer.warnings.join('; ')}` : 'Ready');
+    clearTimeout(paceTimer);
+    paceTimer = setTimeout(() => showPace(chirps.latest_ms), CURVE_REST_MS);
+  }, complain, MOST_CHIRPS);
   const curves = ['tilt', 'height'].map((axis) => ({
     axis, key: '', timer: 0,
     follower: new Follower(`api/curve/${axis}`, (answer) => charts.takeCurve(axis, answer, state.values), complain),
@@ -128,10 +131,8 @@ async function start() {
 }
 
 /** How long updates took lately, from the hand to the picture. */
-function showPace() {
-  const all = performance.getEntriesByName('update api/chirp');
-  if (all.length > MOST_MEASURES) performance.clearMeasures();
-  const took = all.slice(-40).map((each) => each.duration).sort((a, b) => a - b);
+function showPace(latest_ms) {
+  const took = [...latest_ms].sort((a, b) => a - b);
   if (took.length) at('pace').textContent = `Last updates: ${took[Math.floor(took.length / 2)].toFixed(0)} ms.`;
 }
 

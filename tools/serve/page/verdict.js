@@ -1,6 +1,6 @@
 // What the chosen model says of the chirp, how sure it is, and whether it has ever seen anything like it.
 
-import { element } from './controls.js';
+import { element, put } from './controls.js';
 import { shown } from './plot.js';
 
 const percent = (share) => `${Math.round(share * 100)}\u202f%`;
@@ -85,23 +85,26 @@ export class Verdict {
     const name = this.facts.classes[best];
     const isClass = this.facts.classes.includes(values.material);
     const [kind, word] = !isClass ? ['none', 'no class of its own'] : name === values.material ? ['right', 'right'] : ['wrong', `wrong: it is ${values.material}`];
-    this.call.replaceChildren(`${name}, ${percent(said.probability[best])}`, element('span', { class: `badge ${kind}` }, word));
+    const answered = `${name}, ${percent(said.probability[best])}`;
     this.bars.forEach(({ row, fill, value }, i) => {
       row.className = i === best ? 'chosen' : '';
-      fill.style.transform = `scaleX(${said.probability[i]})`;
-      value.textContent = percent(said.probability[i]);
+      fill.style.transform = `scaleX(${said.probability[i].toFixed(3)})`;
+      put(value, percent(said.probability[i]));
     });
     this.showMonitors(said, said.probability[best]);
     const trust = said.is_familiar ? 'looks familiar' : 'unfamiliar input';
-    this.strip.replaceChildren(element('span', {}, `${name}, ${percent(said.probability[best])}`), element('small', {}, `${word}, ${trust}`));
-    this.said = `${name}, ${percent(said.probability[best])}, ${word}, ${trust}`;
+    const all = `${answered}, ${word}, ${trust}`;
+    if (all === this.said) return;
+    this.said = all;
+    this.call.replaceChildren(answered, element('span', { class: `badge ${kind}` }, word));
+    this.strip.replaceChildren(element('span', {}, answered), element('small', {}, `${word}, ${trust}`));
   }
 
   showMonitors(said, confidence) {
     const set = ({ row, fill, value }, share, text, mood = '') => {
       row.className = mood;
-      fill.style.transform = `scaleX(${Math.min(1, Math.max(0.004, share))})`;
-      value.textContent = text;
+      fill.style.transform = `scaleX(${Math.min(1, Math.max(0.004, share)).toFixed(3)})`;
+      put(value, text);
     };
     set(this.confidence, confidence, percent(confidence));
     set(this.logit, said.max_logit / 20, shown(said.max_logit));
