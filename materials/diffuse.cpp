@@ -115,9 +115,9 @@ Reflection spectrum(const StackFace& face, const ModulatedWaves& waves, double a
     OrderSum te, tm;
     for (int n = 1; n <= most_orders; ++n) {
         TeTm amplitude{};
-        const double root = std::sqrt(double(n));
+        const double per_root = 1.0 / std::sqrt(double(n));
         for (std::size_t w = 0; w < n_waves; ++w) {
-            share[w] *= phase[w] / root;
+            share[w] *= phase[w] * per_root;
             amplitude.te += waves.amplitude[w].te * share[w];
             amplitude.tm += waves.amplitude[w].tm * share[w];
         }
