@@ -16,9 +16,13 @@ constexpr double most_cells = 250'000.0;
 /// cos^2 of the angle beyond which the Kirchhoff slope factor is no longer followed.
 const double grazing_cos_squared = std::pow(std::cos(70.0 * pi / 180.0), 2);
 
+/// Cosine between the normal and the directions to TX and RX.
+double cosine_between(const LitNode& node, const NodeView& view) {
+    return (view.to_rx - node.arriving).normalized().dot(node.normal);
+}
+
 struct Cell {
-    Vector3 point_m;
-    Vector3 normal;  ///< unit
+    LitNode node;
     double area_m2;
 };
 
@@ -36,60 +40,42 @@ double cell_side_m(const Body& body, double correlation_m) {
     return std::max({smallest_cell_m, correlation_m, std::sqrt(total_m2 / most_cells)});
 }
 
-std::vector<Cell> cells_of(const Body& body, double correlation_m) {
+std::vector<Cell> cells_of(const Body& body, const PlacedAntenna& tx, double correlation_m) {
     const double side_m = cell_side_m(body, correlation_m);
+    const NodeLighter lit_by(tx);
     std::vector<Cell> cells;
     for (const Surface& surface : body.surfaces) {
         const SurfacePoint middle = surface_point(surface, 0.0, 0.0);
         const int n_u = n_along(middle.along_u, side_m), n_v = n_along(middle.along_v, side_m);
         for (int j = 0; j < n_v; ++j) {
             for (int i = 0; i < n_u; ++i) {
-                const SurfacePoint at = surface_point(surface, (2.0 * i + 1.0) / n_u - 1.0,
-                                                      (2.0 * j + 1.0) / n_v - 1.0);
-                const Vector3 normal = at.area_normal();
-                const double stretch = normal.norm();
-                cells.push_back({at.point_m, normal / stretch, stretch * 4.0 / (n_u * n_v)});
+                const LitNode node = lit_by(surface_point(surface, (2.0 * i + 1.0) / n_u - 1.0,
+                                                          (2.0 * j + 1.0) / n_v - 1.0));
+                cells.push_back({node, node.stretch_m2 * 4.0 / (n_u * n_v)});
             }
         }
     }
     return cells;
 }
 
-/// A cell between TX and RX.
-struct CellView {
-    const Cell& cell;
-    const PlacedAntenna& tx;
-    const PlacedAntenna& rx;
-};
-
 /// Adds the cell to the pair; with zero weight where one of the antennas is behind it.
-void add_cell(const CellView& view, bool clear, PairScatter& pair) {
-    const Vector3 from_tx = view.cell.point_m - view.tx.position_m;
-    const Vector3 to_rx = view.rx.position_m - view.cell.point_m;
-    const double r1 = from_tx.norm(), r2 = to_rx.norm();
-    const Vector3 in = from_tx / r1, out = to_rx / r2;
-    const Vector3 normal =
-        in.dot(view.cell.normal) > 0.0 ? Vector3(-view.cell.normal) : Vector3(view.cell.normal);
-    const Vector3 between = (out - in).normalized();
-    const double cosine = between.dot(normal);
-    pair.path_m.push_back(r1 + r2);
-    if (!clear || !(in.dot(normal) < 0.0) || !(out.dot(normal) > 0.0)) {
+void add_cell(const Cell& cell, const NodeViewer& seen_from, bool clear, PairScatter& pair) {
+    const LitNode& node = cell.node;
+    const NodeView view = seen_from(node);
+    pair.path_m.push_back(node.r1_m + view.r2_m);
+    if (!clear || !(node.arriving.dot(node.normal) < 0.0) || !(view.to_rx.dot(node.normal) > 0.0)) {
         pair.cos_incidence.push_back(1.0);
         for (std::vector<double>& weight : pair.weight) weight.push_back(0.0);
         return;
     }
-    const BounceWeights w = bounce_weights({.to_point = in,
-                                            .to_rx = out,
-                                            .normal = normal,
-                                            .tx_field = view.tx.field_towards(in),
-                                            .rx_field = view.rx.field_towards(-out)});
+    const double cosine = cosine_between(node, view);
     // Slopes of the heights turn facets towards the antennas: 1 / cos^2 in Kirchhoff's integral.
-    const double spread =
-        std::sqrt(view.cell.area_m2) / (r1 * r2 * std::max(cosine * cosine, grazing_cos_squared));
+    const double spread = std::sqrt(cell.area_m2) /
+                          (node.r1_m * view.r2_m * std::max(cosine * cosine, grazing_cos_squared));
     pair.cos_incidence.push_back(std::min(1.0, cosine));
     pair.weight[0].push_back(0.0);  // the unreflected part scatters forwards only
-    pair.weight[1].push_back(w.te * spread);
-    pair.weight[2].push_back(w.tm * spread);
+    pair.weight[1].push_back(view.weights.te * spread);
+    pair.weight[2].push_back(view.weights.tm * spread);
 }
 
 /// Middles of n equal parts of [-1, 1], seen from n_thin Chebyshev points.
@@ -115,11 +101,6 @@ PointCount thin_count(const Surface& surface, const AntennaSet& antennas,
 
 /// Thin points must be fewer than this share of the cells.
 constexpr double worth_while_of_cells = 0.5;
-
-/// Cosine between the normal and the directions to TX and RX, as for a cell.
-double cosine_between(const LitNode& node, const NodeView& view) {
-    return (view.to_rx - node.arriving).normalized().dot(node.normal);
-}
 
 }  // namespace
 
@@ -182,10 +163,10 @@ std::optional<RouteScatter> drawn_thin_cells(const Target& target, const Antenna
 
 RouteScatter diffuse_cells(const Target& target, const AntennaSet& antennas,
                            const RoughLayer& layer) {
-    const std::vector<Cell> cells =
-        cells_of(target.bodies()[static_cast<std::size_t>(layer.body)], layer.correlation_m);
+    const std::vector<Cell> cells = cells_of(target.bodies()[static_cast<std::size_t>(layer.body)],
+                                             antennas.tx, layer.correlation_m);
     std::vector<Vector3> places;
-    for (const Cell& cell : cells) places.push_back(cell.point_m);
+    for (const Cell& cell : cells) places.push_back(cell.node.point_m);
     std::vector<char> lit(cells.size(), 1);
     const PlateSurface* plate = target.lone_plate();
     const bool may_hide = !plate || !is_seen_whole(*plate, antennas);
@@ -202,8 +183,9 @@ RouteScatter diffuse_cells(const Target& target, const AntennaSet& antennas,
         if (may_hide) target.geometry().shadow(rx.position_m, places, clear);
         PairScatter pair;
         pair.weight.resize(route.route.n_weights());
+        const NodeViewer seen_from(rx);
         for (std::size_t i = 0; i < cells.size(); ++i)
-            add_cell({cells[i], antennas.tx, rx}, clear[i] != 0, pair);
+            add_cell(cells[i], seen_from, clear[i] != 0, pair);
         route.rx.push_back(std::move(pair));
     }
     return route;

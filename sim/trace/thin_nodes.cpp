@@ -5,27 +5,28 @@
 
 namespace specula {
 
+LitNode NodeLighter::operator()(const SurfacePoint& at) const {
+    const Vector3 area_normal = at.area_normal();
+    const Vector3 from_tx = at.point_m - tx_.position_m;
+    LitNode node{.point_m = at.point_m,
+                 .normal = area_normal.normalized(),
+                 .arriving = from_tx.normalized(),
+                 .tx_field = Vector3::Zero(),
+                 .r1_m = from_tx.norm(),
+                 .stretch_m2 = area_normal.norm(),
+                 .at_back = false};
+    node.at_back = node.arriving.dot(node.normal) > 0.0;
+    if (node.at_back) node.normal = -node.normal;
+    node.tx_field = tx_.rotation * pattern_(tx_.rotation.transpose() * node.arriving);
+    return node;
+}
+
 std::vector<LitNode> lit_nodes(const Surface& surface, const ThinPoints& points,
                                const PlacedAntenna& tx) {
-    const FieldPattern pattern(tx.pattern);
+    const NodeLighter lit_by(tx);
     std::vector<LitNode> lit;
     lit.reserve(points.nodes().size());
-    for (const auto& [u, v] : points.nodes()) {
-        const SurfacePoint at = surface_point(surface, u, v);
-        const Vector3 area_normal = at.area_normal();
-        const Vector3 from_tx = at.point_m - tx.position_m;
-        LitNode node{.point_m = at.point_m,
-                     .normal = area_normal.normalized(),
-                     .arriving = from_tx.normalized(),
-                     .tx_field = Vector3::Zero(),
-                     .r1_m = from_tx.norm(),
-                     .stretch_m2 = area_normal.norm(),
-                     .at_back = false};
-        node.at_back = node.arriving.dot(node.normal) > 0.0;
-        if (node.at_back) node.normal = -node.normal;
-        node.tx_field = tx.rotation * pattern(tx.rotation.transpose() * node.arriving);
-        lit.push_back(node);
-    }
+    for (const auto& [u, v] : points.nodes()) lit.push_back(lit_by(surface_point(surface, u, v)));
     return lit;
 }
 

@@ -8,7 +8,7 @@
 
 namespace specula {
 
-/// A thin point of a lone plate with what all RX have in common.
+/// A point of a surface under TX, with what all RX have in common.
 struct LitNode {
     Vector3 point_m;
     Vector3 normal;    ///< unit, against the wave
@@ -16,8 +16,21 @@ struct LitNode {
     Vector3 tx_field;
     double r1_m;
     double stretch_m2;  ///< area per unit of u and v
-    bool at_back;       ///< the wave comes from behind the plate
+    bool at_back;       ///< the wave comes from behind the surface
 };
+
+/// TX and what its pattern needs, for many points.
+class NodeLighter {
+  public:
+    explicit NodeLighter(const PlacedAntenna& tx) : tx_(tx), pattern_(tx.pattern) {}
+    LitNode operator()(const SurfacePoint& at) const;
+
+  private:
+    const PlacedAntenna& tx_;
+    FieldPattern pattern_;
+};
+
+/// The thin points of a lone plate.
 std::vector<LitNode> lit_nodes(const Surface& surface, const ThinPoints& points,
                                const PlacedAntenna& tx);
 
