@@ -30,7 +30,8 @@ async function openPage(browser, address, options = {}) {
   const page = await context.newPage();
   page.on('console', (message) => ['error', 'warning'].includes(message.type()) && !message.text().includes('GPU stall') && complaints.push(message.text()));
   page.on('pageerror', (error) => complaints.push(String(error)));
-  page.on('requestfailed', (request) => complaints.push(`${request.url()} failed`));
+  // What is on its way when we go to another address ends there, and is no fault.
+  page.on('requestfailed', (request) => request.failure()?.errorText === 'net::ERR_ABORTED' || complaints.push(`${request.url()} failed`));
   page.on('request', (request) => request.url().startsWith(address) || request.url().startsWith('blob:') || complaints.push(`asks elsewhere: ${request.url()}`));
   await page.goto(address);
   await settled(page);
