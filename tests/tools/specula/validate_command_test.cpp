@@ -53,13 +53,15 @@ TEST_CASE("validate writes its numbers and a page that stands alone", "[program]
 TEST_CASE("without a folder validate takes the cases of the project", "[program][validate]") {
     const MadeUpFolder folder;
     folder.with("home/tests/reference/a.json", good);
-    std::filesystem::create_directory_symlink(SPECULA_SOURCE_DIR "/materials",
-                                              folder / "home/materials");
+    for (const std::string part : {"materials", "scenes"})
+        std::filesystem::create_directory_symlink(SPECULA_SOURCE_DIR "/" + part,
+                                                  folder / ("home/" + part));
     const Ended own = run_program({.arguments = {SPECULA_BINARY, "validate"},
                                    .folder = folder.path(),
                                    .environment = {{"SPECULA_HOME", (folder / "home").string()}}});
     CHECK(own.status == 0);
     CHECK(own.output.find("M01_x") != std::string::npos);
+    CHECK(own.output.find("1 case, 1 point") != std::string::npos);
     CHECK(specula_in(folder.path(), {"validate", "nowhere"}).status == 2);
 }
 

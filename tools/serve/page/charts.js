@@ -21,7 +21,7 @@ export class Charts {
     this.descriptor = plot('Descriptor: 12 numbers', 'range bin', 'amplitude (dB over 1 LSB)');
     this.tilt = plot('Level over tilt', 'tilt (degrees)', 'dB over an endless mirror');
     this.height = plot('Level over height', 'height (mm)', 'received power (dBm)');
-    this.slab = plot('What the slab reflects', 'frequency (GHz)', 'dB over a mirror');
+    this.slab = plot('Slab reflection', 'frequency (GHz)', 'dB over a mirror');
     this.adc = plot('ADC samples', 'sample of the chirp', 'code (LSB)');
     this.adc.explain([['f1', 'RX 1'], ['f2', 'RX 2'], ['f3', 'RX 3']]);
     this.profile.explain([['f1', 'bins 6 to 17, the descriptor'], ['f0', 'other bins'], ['ring', 'an endless mirror at this height']]);
@@ -96,7 +96,7 @@ export class Charts {
     const power = inBand.reduce((sum, db) => sum + 10 ** (db / 10), 0) / inBand.length;
     this.slab.draw({ x: [57, 64], y: [-42, 2],
       marks: [band(slab.chirp_ghz[0], slab.chirp_ghz[1], 'window', 'window-edge'), line(f, slab.over_mirror_db)] });
-    const mean = shown(10 * Math.log10(power));
+    const mean = shown(Math.round(1000 * Math.log10(power)) / 100);
     this.slab.say(inBand.length ? `${mean} dB on average` : '');
     this.slab.explain([['fw', 'swept by the chirp']]);
   }
