@@ -57,8 +57,10 @@ pid_t start(const Command& command, int output) {
         ::posix_spawnp(&child, arguments[0], &actions, nullptr, arguments.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
     if (reason == ENOENT)
-        throw SystemError(format("{}: program not found; install {} (apt-get install {})",
-                                 command.words[0], command.package, command.package));
+        throw SystemError(format("{}: program not found; {}", command.words[0],
+                                 command.remedy.empty() ? format("install {} (apt-get install {})",
+                                                                 command.package, command.package)
+                                                        : command.remedy));
     if (reason != 0)
         throw SystemError(
             format("{}: cannot be started: {}", command.words[0], std::strerror(reason)));

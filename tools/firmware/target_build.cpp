@@ -1,5 +1,6 @@
 #include "tools/firmware/target_build.hpp"
 
+#include <fstream>
 #include <sstream>
 
 #include "sim/core/error.hpp"
@@ -18,12 +19,36 @@ constexpr const char* compiler_packages = "gcc-arm-none-eabi libnewlib-arm-none-
 constexpr double instructions_per_tick = 40.0;
 constexpr int bench_repeats = 200;
 
+/// What the cache says of one of CMake's own entries; empty: nothing.
+fs::path cached_folder(const fs::path& cache, const std::string& entry) {
+    std::ifstream lines(cache);
+    for (std::string line; std::getline(lines, line);)
+        if (line.starts_with(entry)) return line.substr(entry.size());
+    return {};
+}
+
+bool is_same(const fs::path& a, const fs::path& b) {
+    std::error_code ignored;
+    return fs::weakly_canonical(a, ignored) == fs::weakly_canonical(b, ignored);
+}
+
 }  // namespace
+
+void forget_build_of_another_place(const fs::path& home, const fs::path& folder) {
+    const fs::path cache = folder / "CMakeCache.txt";
+    std::error_code ignored;
+    if (is_same(cached_folder(cache, "CMAKE_HOME_DIRECTORY:INTERNAL="), home) &&
+        is_same(cached_folder(cache, "CMAKE_CACHEFILE_DIR:INTERNAL="), folder))
+        return;
+    for (const char* made : {"CMakeCache.txt", "CMakeFiles", "build.ninja", ".ninja_deps"})
+        fs::remove_all(folder / made, ignored);
+}
 
 TargetBuild build_for_target(const fs::path& home, const fs::path& folder) {
     output_of({{"arm-none-eabi-gcc", "--version"}, {}, compiler_packages});
     std::error_code ignored;
     fs::create_directories(folder, ignored);
+    forget_build_of_another_place(home, folder);
     if (!fs::exists(folder / "build.ninja", ignored))
         output_of({{"cmake", "-S", home.string(), "-B", folder.string(), "-G", "Ninja",
                     "-DCMAKE_TOOLCHAIN_FILE=" + (home / "firmware/port/cortex-m4.cmake").string(),

@@ -15,6 +15,11 @@ struct TargetBuild {
     std::filesystem::path folder;   ///< holds the compiler's .ci files, somewhere below
 };
 
+/// Removes what CMake has configured in the folder for sources or for a folder of another place: a
+/// build that was moved or copied cannot be gone on with. All is compiled anew then.
+void forget_build_of_another_place(const std::filesystem::path& home,
+                                   const std::filesystem::path& folder);
+
 /// Compiles what has changed.
 /// @in  home    the folder with CMakeLists.txt and firmware/
 /// @in  folder  to build in; made if missing

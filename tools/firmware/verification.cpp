@@ -135,21 +135,35 @@ void write_blob(const std::vector<std::uint8_t>& blob, const fs::path& file) {
     write_file_atomically(file, std::string(blob.begin(), blob.end()));
 }
 
+/// What to do where the runner is not beside the program: in a build folder, or in another.
+std::string runner_remedy(const fs::path& folder) {
+    return fs::exists(folder / "CMakeCache.txt")
+               ? format("build it (cmake --build {} --target fw_runner)", folder.string())
+               : format("copy it to {} from the folder that specula was copied from, where it is "
+                        "built with it",
+                        folder.string());
+}
+
+void run_on_host(const Workplace& place, std::vector<std::string> words) {
+    words.insert(words.begin(), place.host_runner.string());
+    output_of({.words = std::move(words),
+               .folder = place.folder,
+               .package = {},
+               .remedy = runner_remedy(place.host_runner.parent_path())});
+}
+
 VariantResult verify_variant(const VerifyInput& input, const Variant& variant,
                              const Workplace& place, const TargetBuild& build) {
     const std::vector<std::uint8_t> blob = blob_of(input.model, variant);
     write_blob(blob, place.folder / "model.rfwm");
-    output_of({{place.host_runner.string(), "run", "model.rfwm", "frames.bin", "host.records",
-                "host.uart"},
-               place.folder,
-               "specula"});
+    run_on_host(place, {"run", "model.rfwm", "frames.bin", "host.records", "host.uart"});
     emulate(build, {.arguments = {"run", "model.rfwm", "frames.bin", "target.records", "none"},
                     .folder = place.folder,
                     .uart = "target.uart",
                     .counted = false,
                     .trace = {}});
     // The self-test fails where this machine or the emulated one computes other bits.
-    output_of({{place.host_runner.string(), "test", "model.rfwm"}, place.folder, "specula"});
+    run_on_host(place, {"test", "model.rfwm"});
     emulate(build, {.arguments = {"test", "model.rfwm"},
                     .folder = place.folder,
                     .uart = {},

@@ -13,13 +13,8 @@ bool is_calibrated(const StudySummary& study, const StudyCondition& condition) {
     return study.calibration && study.calibration->condition == condition.result.name;
 }
 
-/// Lowest and highest single world; the mean alone if there are no worlds.
-Interval world_range(const ConditionReport& result) {
-    const auto [low, high] =
-        std::minmax_element(result.macro_f1_per_world.begin(), result.macro_f1_per_world.end());
-    if (low == result.macro_f1_per_world.end())
-        return {result.macro_f1.mean, result.macro_f1.mean, result.macro_f1.mean};
-    return {result.macro_f1.mean, *low, *high};
+PaperPercentile among_worlds(const StudyCondition& condition) {
+    return percentile_of(*condition.paper_macro_f1, condition.result.macro_f1_per_world);
 }
 
 bool contains(const Interval& interval, double value) {
@@ -43,13 +38,32 @@ std::string mean_offset(const ConditionReport& result, double paper) {
 
 }  // namespace
 
+PaperPercentile percentile_of(double paper, std::vector<double> predicted) {
+    PaperPercentile result{.paper = paper, .n = predicted.size()};
+    if (predicted.empty()) return result;
+    std::sort(predicted.begin(), predicted.end());
+    const auto below = std::lower_bound(predicted.begin(), predicted.end(), paper);
+    result.percentile =
+        static_cast<double>(below - predicted.begin()) / static_cast<double>(predicted.size());
+    const auto at = [&](double share) {
+        const double place = share * static_cast<double>(predicted.size() - 1);
+        const auto low = static_cast<std::size_t>(place);
+        const std::size_t high = std::min(low + 1, predicted.size() - 1);
+        const double part = place - static_cast<double>(low);
+        return (1.0 - part) * predicted[low] + part * predicted[high];
+    };
+    result.prediction = {at(0.5), at(0.05), at(0.95)};
+    return result;
+}
+
 Agreement paper_agreement(const StudyCondition& condition) {
     if (!condition.paper_macro_f1) return Agreement::unknown;
-    if (contains(condition.result.macro_f1, *condition.paper_macro_f1))
-        return Agreement::within_interval;
-    return contains(world_range(condition.result), *condition.paper_macro_f1)
-               ? Agreement::within_worlds
-               : Agreement::outside;
+    const PaperPercentile worlds = among_worlds(condition);
+    if (!worlds.has_percentiles()) return Agreement::too_few;
+    if (!worlds.agrees()) return Agreement::outside;
+    return contains(condition.result.macro_f1, *condition.paper_macro_f1)
+               ? Agreement::within_interval
+               : Agreement::within_worlds;
 }
 
 std::string agreement_verdict(const StudySummary& study, const StudyCondition& condition) {
@@ -61,6 +75,8 @@ std::string agreement_verdict(const StudySummary& study, const StudyCondition& c
             return "agrees with the paper within the spread of single worlds";
         case Agreement::outside:
             return "differs from the paper";
+        case Agreement::too_few:
+            return "too few worlds to judge the paper\u2019s number";
         case Agreement::unknown:
             break;
     }
@@ -77,22 +93,17 @@ std::string agreement_text(const StudySummary& study, const StudyCondition& cond
     const double paper = *condition.paper_macro_f1;
     const ConditionReport& result = condition.result;
     std::string text = format("The paper reports {}", percent_text(paper));
-    switch (paper_agreement(condition)) {
-        case Agreement::within_interval:
-            text += ", which lies inside the interval.";
-            break;
-        case Agreement::within_worlds:
-            text += format(
-                ", outside the interval: {}. It lies within the range of single worlds, "
-                "{}, and one world corresponds to one experiment.",
-                mean_offset(result, paper), range_text(world_range(result)));
-            break;
-        default:
-            text += format(", outside the interval: {}. All worlds lie {} it; they range from {}.",
-                           mean_offset(result, paper),
-                           world_range(result).low > paper ? "above" : "below",
-                           range_text(world_range(result)));
-    }
+    const Agreement agreement = paper_agreement(condition);
+    if (agreement == Agreement::too_few)
+        text += format("; fewer than {} worlds are too few to say whether they agree.",
+                       least_predictions);
+    else
+        text += format(
+            ", {} the 5th to 95th percentile of single worlds, {}; one world corresponds to one "
+            "experiment. It lies {} the interval of the mean: {}.",
+            agreement == Agreement::outside ? "outside" : "within",
+            range_text(among_worlds(condition).prediction),
+            contains(result.macro_f1, paper) ? "inside" : "outside", mean_offset(result, paper));
     text += " " + world_count(result, paper);
     if (is_calibrated(study, condition))
         text += format(

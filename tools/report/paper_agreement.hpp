@@ -7,13 +7,17 @@
 namespace specula {
 
 /// How the paper's value lies to the simulated ones. The paper is one set of samples and
-/// recordings, like one world; so there are two questions, about the mean and about single worlds.
+/// recordings, like one world; so single worlds decide, and the mean is a second question.
 enum class Agreement {
     unknown,          ///< the paper gives no number
-    within_interval,  ///< inside the interval of the mean
-    within_worlds,    ///< outside it, but single worlds reach the value
-    outside,          ///< no single world reaches the value
+    too_few,          ///< fewer than least_predictions worlds
+    within_interval,  ///< among the worlds, and inside the interval of their mean
+    within_worlds,    ///< from the 5th to the 95th percentile of single worlds
+    outside,          ///< beyond them
 };
+
+/// Where the paper's figure lies in what is predicted for it.
+PaperPercentile percentile_of(double paper, std::vector<double> predicted);
 
 Agreement paper_agreement(const StudyCondition& condition);
 

@@ -54,10 +54,16 @@ void say_leak(const StudySummary& study, std::vector<Paragraph>& words) {
 
 void say_percentiles(const StudySummary& study, std::vector<Paragraph>& words) {
     std::string text;
-    for (const PaperPercentile& entry : study.results.percentiles)
-        text += format("{}{}, over {} {}: {} of the predictions lie below the paper\u2019s {}",
-                       text.empty() ? "" : "; ", short_title(entry.domain), entry.n, entry.over,
-                       percent_text(entry.percentile), percent_text(entry.paper));
+    for (const PaperPercentile& entry : study.results.percentiles) {
+        text += format("{}{}, over {} {}: ", text.empty() ? "" : "; ", short_title(entry.domain),
+                       entry.n, entry.over);
+        text += entry.has_percentiles()
+                    ? format("{} of the predictions lie below the paper\u2019s {}, which {} them",
+                             percent_text(entry.percentile), percent_text(entry.paper),
+                             entry.agrees() ? "agrees with" : "differs from")
+                    : format("too few to say where the paper\u2019s {} lies among them",
+                             percent_text(entry.paper));
+    }
     if (!text.empty())
         words.push_back({.lead = "The paper\u2019s tilt figure.", .text = text + "."});
 }
@@ -177,8 +183,7 @@ void say_checks(const StudySummary& study, std::vector<Paragraph>& words) {
                                     failed.size(), listed(failed));
     if (n_weak > 0)
         text += format(
-            " {} of them {} weakly: over fewer than {} worlds, or by an interval wider than the "
-            "band.",
+            " {} of them {} weakly: of fewer than {} worlds, or by an interval wider than the band.",
             n_weak, n_weak == 1 ? "passes" : "pass", few_worlds);
     words.push_back({.lead = "Can this be believed?", .text = text});
 }
@@ -200,8 +205,8 @@ void say_few_worlds(const StudySummary& study, std::vector<Paragraph>& words) {
 
 Paragraph calibration_words(const CalibrationOutcome& outcome) {
     const std::string frozen =
-        format(" Frozen before any other geometry was simulated, as calibration.json, hash {}.",
-               outcome.hash);
+        format(" Frozen before any other geometry was simulated, as calibration.json, SHA-256 {}.",
+               outcome.sha256);
     if (!outcome.asked) return {.lead = "Calibration.", .text = "Nothing was calibrated." + frozen};
     const std::string what = format(
         "One number may be set, by nominal recordings alone: the ratio of signal to noise, between "

@@ -7,6 +7,8 @@
 namespace specula {
 namespace {
 
+constexpr const char* none = "\u2013";
+
 std::string kibibytes(std::size_t bytes) {
     return fixed_text(static_cast<double>(bytes) / 1024.0, 1);
 }
@@ -19,7 +21,7 @@ std::string verdict(const HonestyCheck& check) {
 std::string band_text(const HonestyCheck& check) {
     return check.band ? format("{} to {}", percent_number((*check.band)[0]),
                                percent_number((*check.band)[1]))
-                      : "\u2013";
+                      : none;
 }
 
 ReportTable fallback_table(const StudySummary& study) {
@@ -36,7 +38,7 @@ ReportTable fallback_table(const StudySummary& study) {
     for (const FallbackScore& score : study.results.fallback)
         table.rows.push_back(
             {short_title(score.domain), percent_number(score.answered.mean),
-             score.accuracy ? percent_number(score.accuracy->mean) : "\u2013",
+             score.accuracy ? percent_number(score.accuracy->mean) : none,
              percent_number(score.accuracy_all.mean)});
     return table;
 }
@@ -82,12 +84,16 @@ std::vector<ReportTable> attribution_tables(const StudySummary& study) {
                     {"", "Paper (%)"},
                     {"", "Its percentile"}},
         .rows = {},
-        .note = "Agreement within so wide an interval is a check of consistency, no proof."};
+        .note = format("Agreement within so wide an interval is a check of consistency, no proof. "
+                       "Fewer than {} predictions have no percentiles.",
+                       least_predictions)};
     for (const PaperPercentile& entry : study.results.percentiles)
-        table.rows.push_back({short_title(entry.domain), entry.over, format("{}", entry.n),
-                              percent_number(entry.prediction.mean), range_number(entry.prediction),
-                              percent_number(entry.paper),
-                              fixed_text(100.0 * entry.percentile, 0)});
+        table.rows.push_back(
+            {short_title(entry.domain), entry.over, format("{}", entry.n),
+             percent_number(entry.prediction.mean),
+             entry.has_percentiles() ? range_number(entry.prediction) : none,
+             percent_number(entry.paper),
+             entry.has_percentiles() ? fixed_text(100.0 * entry.percentile, 0) : none});
     return {table};
 }
 
@@ -161,13 +167,14 @@ std::vector<ReportTable> check_tables(const StudySummary& study) {
                                   {"", "Verdict", false},
                                   {"", "Why", false}},
                       .rows = {},
-                      .note = format("Weak: the interval is over fewer than {} worlds, or wider "
-                                     "than its band, so that passing says little.",
+                      .note = format("Weak: of fewer than {} worlds, or with an interval wider "
+                                     "than its band, so that passing says little. What is one "
+                                     "number of all worlds together has no interval.",
                                      few_worlds)};
     for (const HonestyCheck& check : study.results.checks)
         table.rows.push_back({check.title, percent_number(check.value.mean),
-                              range_number(check.value), band_text(check), verdict(check),
-                              check.reason});
+                              check.has_interval() ? range_number(check.value) : none,
+                              band_text(check), verdict(check), check.reason});
     return {table};
 }
 

@@ -37,7 +37,7 @@ struct CalibrationOutcome {
     double snr_db = 0.0;
     std::optional<CalibrationTrial> matching{};  ///< meets the target, admissible or not
     std::vector<CalibrationTrial> trials{};      ///< in the order they were made
-    std::string hash{};                          ///< of the frozen file; empty until it is frozen
+    std::string sha256{};                        ///< of the frozen file; empty until it is frozen
 };
 
 /// An interval over fewer worlds than this is hardly one.
@@ -50,12 +50,16 @@ struct HonestyCheck {
     std::optional<std::array<double, 2>> band{};  ///< the interval must reach it; none: reported
     bool passed = true;
     std::string reason{};      ///< why the band lies there, or what the number says
-    std::size_t n_worlds = 0;  ///< that the interval is drawn over; 0: no interval
+    std::size_t n_worlds = 0;  ///< that it rests on
+    bool is_of_all_worlds_together = false;  ///< one number, which has no interval over worlds
+
+    /// One world has none either.
+    bool has_interval() const { return !is_of_all_worlds_together && n_worlds > 1; }
 
     /// Passing says little: few worlds, or an interval wider than the band that it had to reach.
     bool is_weak() const {
-        return band && n_worlds > 0 &&
-               (n_worlds < few_worlds || value.high - value.low > (*band)[1] - (*band)[0]);
+        return band && (n_worlds < few_worlds ||
+                        value.high - value.low > (*band)[1] - (*band)[0]);
     }
 };
 
@@ -81,6 +85,9 @@ struct PriorDraw {
     bool accepted = false;  ///< nominal meets the paper's
 };
 
+/// Fewer predictions than this have no percentiles, and nothing is said to agree with them.
+inline constexpr std::size_t least_predictions = 5;
+
 /// What the paper's figure is within what the simulator predicts for it.
 struct PaperPercentile {
     std::string domain{}, over{};  ///< condition, "worlds" or "prior draws"
@@ -88,6 +95,12 @@ struct PaperPercentile {
     std::size_t n = 0;
     double percentile = 0.0;  ///< share of predictions below the paper's figure
     Interval prediction{};    ///< median with the 5th and 95th percentile
+
+    bool has_percentiles() const { return n >= least_predictions; }
+    /// From the 5th to the 95th percentile: the one rule by which the report says "agrees".
+    bool agrees() const {
+        return has_percentiles() && prediction.low <= paper && paper <= prediction.high;
+    }
 };
 
 struct PriorPrediction {

@@ -7,9 +7,9 @@
 #include "sim/core/atomic_file.hpp"
 #include "sim/core/error.hpp"
 #include "sim/core/format.hpp"
+#include "sim/dataset/sha256.hpp"
 #include "sim/generate.hpp"
 #include "tools/study/judgement.hpp"
-#include "tools/study/text_hash.hpp"
 #include "tools/study/trial.hpp"
 
 namespace specula {
@@ -140,7 +140,7 @@ FrozenCalibration freeze_calibration(const CalibrationOutcome& outcome,
     const std::string text = json.dump(2) + "\n";
     write_file_atomically(file, text);
     CalibrationOutcome frozen = outcome;
-    frozen.hash = text_hash(text);
+    frozen.sha256 = sha256_of(text);
     return FrozenCalibration(std::move(frozen));
 }
 

@@ -44,7 +44,7 @@ class FrozenCalibration {
     CalibrationOutcome outcome_;
 };
 
-/// Writes the outcome as JSON, whole or not at all, and gives it the hash of that file's bytes.
+/// Writes the outcome as JSON, whole or not at all, and gives it the SHA-256 of that file's bytes.
 FrozenCalibration freeze_calibration(const CalibrationOutcome& outcome,
                                      const std::filesystem::path& file);
 

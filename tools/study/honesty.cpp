@@ -5,6 +5,7 @@
 #include "classifier/metrics.hpp"
 #include "sim/core/format.hpp"
 #include "sim/generate.hpp"
+#include "tools/report/paired_difference.hpp"
 #include "tools/study/judgement.hpp"
 #include "tools/study/same_laws.hpp"
 #include "tools/study/shuffled_labels.hpp"
@@ -91,21 +92,25 @@ HonestyCheck check_laws(const CheckInput& input, std::size_t n_classes) {
             .reason = laws.column.empty()
                           ? std::string("all laws are fixed values")
                           : format("{} tests; smallest p for {} of class {}", laws.n_tests,
-                                   laws.column, input.training.features.class_names[laws.label])};
+                                   laws.column, input.training.features.class_names[laws.label]),
+            .is_of_all_worlds_together = true};
 }
 
 HonestyCheck check_merging(const StudyContext& context, const CheckInput& input) {
-    double smallest = 1.0;
+    Interval smallest{1.0, 1.0, 1.0};
     std::string where;
     for (const DomainScore& score : input.scores) {
-        const double gain = score.merged.mean - score.all.mean;
-        if (gain < smallest) where = score.domain;
-        smallest = std::min(smallest, gain);
+        const Interval gain = paired_difference(score.per_world.merged, score.per_world.all,
+                                                context.run.seed)
+                                  .value;
+        if (gain.mean >= smallest.mean) continue;
+        where = score.domain;
+        smallest = gain;
     }
     const bool merges = !context.experiment.merged_classes.empty();
     return {.name = "merged_at_least",
             .title = "Merging classes costs nothing (smallest gain of all conditions)",
-            .value = {smallest, smallest, smallest},
+            .value = smallest,
             .band = merges ? std::optional(Band{-0.02, 1.0}) : std::nullopt,
             .reason = format("in {}; a mean over fewer classes may lose a point or two where one "
                              "class is never right",
@@ -227,7 +232,7 @@ void check_other_populations(const StudyContext& context, std::vector<HonestyChe
                       .reason = "features and network lose nothing by themselves"});
 }
 
-/// How many worlds the intervals of the checks stand on.
+/// How many worlds the checks stand on.
 void count_worlds(const StudyContext& context, std::vector<HonestyCheck>& checks) {
     const auto all = static_cast<std::size_t>(context.run.worlds);
     const auto few = static_cast<std::size_t>(
@@ -236,7 +241,6 @@ void count_worlds(const StudyContext& context, std::vector<HonestyCheck>& checks
         return std::ranges::any_of(names, [&](const char* name) { return check.name == name; });
     };
     for (HonestyCheck& check : checks) {
-        if (is_named(check, {"merged_at_least", "same_nuisance"})) continue;  // no intervals
         const bool has_own_worlds = is_named(
             check, {"placebo", "one_material", "one_material_known_pieces", "no_nuisance"});
         check.n_worlds = has_own_worlds ? few : all;

@@ -27,7 +27,7 @@ Json intervals_json(const std::vector<Interval>& intervals) {
 }
 
 Json calibration_json(const CalibrationOutcome& outcome) {
-    Json json{{"frozen_file_hash", outcome.hash}, {"snr_db", outcome.snr_db}};
+    Json json{{"frozen_file_sha256", outcome.sha256}, {"snr_db", outcome.snr_db}};
     if (!outcome.asked) return json;
     json["target_macro_f1"] = outcome.target_macro_f1;
     json["tolerance"] = outcome.tolerance;
@@ -58,25 +58,36 @@ void add_attribution(const StudyResults& results, Json& json) {
                                        {"macro_f1_nominal", draw.nominal},
                                        {"macro_f1_domains", draw.domains},
                                        {"accepted", draw.accepted}});
-    for (const PaperPercentile& entry : results.percentiles)
+    for (const PaperPercentile& entry : results.percentiles) {
+        const auto told = [&](double value) {
+            return entry.has_percentiles() ? Json(value) : Json(nullptr);
+        };
         json["paper_percentiles"].push_back({{"domain", entry.domain},
                                              {"over", entry.over},
                                              {"paper_macro_f1", entry.paper},
                                              {"n", entry.n},
-                                             {"percentile", entry.percentile},
+                                             {"percentile", told(entry.percentile)},
                                              {"median", entry.prediction.mean},
-                                             {"low_90", entry.prediction.low},
-                                             {"high_90", entry.prediction.high}});
+                                             {"low_90", told(entry.prediction.low)},
+                                             {"high_90", told(entry.prediction.high)}});
+    }
+}
+
+/// The ends are null where there is no interval.
+Json check_value_json(const HonestyCheck& check) {
+    Json value = world_interval_json(check.value);
+    if (!check.has_interval()) value["low_95_over_worlds"] = value["high_95_over_worlds"] = nullptr;
+    return value;
 }
 
 void add_checks(const StudyResults& results, Json& json) {
     for (const HonestyCheck& check : results.checks) {
         Json entry{{"check", check.name},
                    {"title", check.title},
-                   {"value", world_interval_json(check.value)},
+                   {"value", check_value_json(check)},
                    {"band", check.band ? Json(*check.band) : Json(nullptr)}};
         entry["passed"] = check.band ? Json(check.passed) : Json(nullptr);
-        entry["worlds"] = check.n_worlds > 0 ? Json(check.n_worlds) : Json(nullptr);
+        entry["worlds"] = check.n_worlds;
         entry["weak_evidence"] = check.band ? Json(check.is_weak()) : Json(nullptr);
         entry["reason"] = check.reason;
         json["honesty_checks"].push_back(entry);

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "sim/core/format.hpp"
+#include "sim/dataset/sha256.hpp"
 #include "sim/generate.hpp"
 #include "tools/report/study_summary.hpp"
-#include "tools/study/text_hash.hpp"
 
 namespace specula {
 
@@ -55,7 +55,7 @@ SensitivityRow row_under(const Assumption& assumption, const StudyContext& conte
             hashes += shifted.fingerprint;
             add(name, rows_by_world(shifted.features, worlds));
         }
-    row.fingerprint = text_hash(hashes);
+    row.fingerprint = sha256_of(hashes);
     return row;
 }
 
@@ -136,24 +136,6 @@ PriorPrediction prior_prediction(const StudyContext& context, double paper_nomin
         prior.draws.push_back(std::move(result));
     }
     return prior;
-}
-
-PaperPercentile percentile_of(double paper, std::vector<double> predicted) {
-    PaperPercentile result{.paper = paper, .n = predicted.size()};
-    if (predicted.empty()) return result;
-    std::sort(predicted.begin(), predicted.end());
-    const auto below = std::lower_bound(predicted.begin(), predicted.end(), paper);
-    result.percentile =
-        static_cast<double>(below - predicted.begin()) / static_cast<double>(predicted.size());
-    const auto at = [&](double share) {
-        const double place = share * static_cast<double>(predicted.size() - 1);
-        const auto low = static_cast<std::size_t>(place);
-        const std::size_t high = std::min(low + 1, predicted.size() - 1);
-        const double part = place - static_cast<double>(low);
-        return (1.0 - part) * predicted[low] + part * predicted[high];
-    };
-    result.prediction = {at(0.5), at(0.05), at(0.95)};
-    return result;
 }
 
 }  // namespace specula

@@ -15,7 +15,4 @@ std::vector<SensitivityRow> sensitivity(const StudyContext& context);
 /// divided by up to 2, 4 to 16 sessions, window Hann or Blackman, each uniform in what it says.
 PriorPrediction prior_prediction(const StudyContext& context, double paper_nominal);
 
-/// Where the paper's figure lies in what is predicted for `domain`.
-PaperPercentile percentile_of(double paper, std::vector<double> predicted);
-
 }  // namespace specula

@@ -35,6 +35,7 @@ std::vector<HonestyCheck> simple_baselines(const StudyContext& context, const Ch
     TrialTraining logistic = context.training("logistic");
     logistic.options.hidden.clear();
     const auto models = train_each(splits.training, logistic);
+    const auto known_worlds = static_cast<std::size_t>(worlds);
     std::vector<HonestyCheck> checks;
     for (const auto& [name, rows] : domains) {
         const WorldScores linear =
@@ -42,13 +43,15 @@ std::vector<HonestyCheck> simple_baselines(const StudyContext& context, const Ch
         checks.push_back({.name = "logistic_" + name,
                           .title = "Logistic regression, " + short_title(name),
                           .value = bootstrap_mean(linear.all, context.bootstrap()),
-                          .reason = "a straight boundary between classes"});
+                          .reason = "a straight boundary between classes",
+                          .n_worlds = known_worlds});
         checks.push_back(
             {.name = "neighbours_" + name,
              .title = "Five nearest neighbours, " + short_title(name),
              .value = bootstrap_mean(neighbour_scores(splits.training, rows, context.run.threads),
                                      context.bootstrap()),
-             .reason = "no training at all"});
+             .reason = "no training at all",
+             .n_worlds = known_worlds});
     }
     return checks;
 }

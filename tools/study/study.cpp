@@ -141,7 +141,7 @@ StudySummary run_study(const StudyRequest& request, const Catalogue& catalogue) 
         summary.fingerprints.emplace_back(recording.file.filename().string(),
                                           recording.fingerprint);
     summary.results.calibration = frozen.outcome();
-    summary.fingerprints.emplace_back("calibration.json", frozen.outcome().hash);
+    summary.fingerprints.emplace_back("calibration.json", "sha256 " + frozen.outcome().sha256);
     Baseline baseline = train_baseline(context, recordings.front());
     write_models(baseline.models, used, request.out);
     clock.ended("training");

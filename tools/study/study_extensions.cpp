@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "tools/report/paper_agreement.hpp"
 #include "tools/study/attribution.hpp"
 #include "tools/study/honesty.hpp"
 #include "tools/study/ladder.hpp"

@@ -109,6 +109,13 @@ TEST_CASE("evidence that is weak is called so", "[report]") {
     CHECK(has(words_under(study, "Can this be believed?"), "2 of them pass weakly"));
     CHECK(check_tables(study).front().rows[0][4] == "passed");
     CHECK(check_tables(study).front().rows[1][4] == "passed, weak");
+    HonestyCheck single{.value = {1.0, 1.0, 1.0}, .band = {{0.01, 1.0}}, .n_worlds = 2};
+    single.is_of_all_worlds_together = true;
+    study.results.checks = {firm, single};
+    CHECK(has(words_under(study, "Can this be believed?"), "1 of them passes weakly"));
+    CHECK(check_tables(study).front().rows[0][2] == "48.0 to 52.0");
+    CHECK(check_tables(study).front().rows[1][2] == "\u2013");
+    CHECK(check_tables(study).front().rows[1][4] == "passed, weak");
     CHECK(words_under(study, "Weak evidence.") == "(no such words)");
     study.conditions[0].result.macro_f1_per_world.resize(2);
     CHECK(has(words_under(study, "Weak evidence."), "2 worlds only"));
@@ -118,10 +125,10 @@ TEST_CASE("worlds that all miss the paper lie above it or below it, as they do",
     StudySummary study = made_up_study();
     StudyCondition& condition = study.conditions[0];
     condition.result.macro_f1 = {0.998, 0.997, 0.999};
-    condition.result.macro_f1_per_world = {0.997, 0.999};
-    CHECK(has(agreement_text(study, condition), "All worlds lie above it"));
+    condition.result.macro_f1_per_world = {0.997, 0.9975, 0.998, 0.9985, 0.999};
+    CHECK(has(agreement_text(study, condition), "Of 5 worlds, 0 lie below"));
     condition.paper_macro_f1 = 0.9999;
-    CHECK(has(agreement_text(study, condition), "All worlds lie below it"));
+    CHECK(has(agreement_text(study, condition), "Of 5 worlds, 5 lie below"));
 }
 
 TEST_CASE("the grid says whose worlds it is of, and where the remedy loses", "[report]") {

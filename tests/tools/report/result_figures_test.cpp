@@ -81,7 +81,7 @@ TEST_CASE("a failed check is named on the first page", "[report]") {
 
 TEST_CASE("the report says whether the calibration reached its target", "[report]") {
     CalibrationOutcome outcome;
-    outcome.hash = "0123456789abcdef";
+    outcome.sha256 = "0123456789abcdef";
     CHECK(contains(calibration_words(outcome).text, "Nothing was calibrated"));
     outcome.asked = true;
     outcome.target_macro_f1 = 0.942;
@@ -90,7 +90,7 @@ TEST_CASE("the report says whether the calibration reached its target", "[report
     const std::string missed = calibration_words(outcome).text;
     CHECK(contains(missed, "No admissible value meets it"));
     CHECK(contains(missed, "-17.5"));
-    CHECK(contains(missed, "0123456789abcdef"));
+    CHECK(contains(missed, "SHA-256 0123456789abcdef"));
     outcome.reached = true;
     outcome.snr_db = 3.0;
     CHECK(contains(calibration_words(outcome).text, "It is met at +3.0"));

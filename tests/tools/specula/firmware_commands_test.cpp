@@ -3,11 +3,14 @@
 #include "classifier/measurement.hpp"
 #include "classifier/model_file.hpp"
 #include "scenes/catalogue.hpp"
+#include "sim/core/error.hpp"
 #include "sim/dataset/dataset.hpp"
 #include "tests/check.hpp"
 #include "tests/classifier/whole_model.hpp"
 #include "tests/contains.hpp"
 #include "tests/run_program.hpp"
+#include "tools/firmware/process.hpp"
+#include "tools/firmware/target_build.hpp"
 
 // The firmware's commands as their user meets them.
 
@@ -190,6 +193,45 @@ TEST_CASE("a model without a measurement is told what is missing, by every comma
         CHECK(contains(ended.errors, "old.json: measurement: is missing"));
         CHECK(contains(ended.errors, "specula study"));
     }
+}
+
+TEST_CASE("a build for the chip that was moved or copied is configured anew", "[firmware]") {
+    const MadeUpFolder folder;
+    const auto home = folder / "home", build = folder / "build";
+    const auto configured = [&](const std::filesystem::path& of, const std::filesystem::path& in) {
+        folder.with("build/CMakeCache.txt", "CMAKE_CACHEFILE_DIR:INTERNAL=" + in.string() +
+                                                "\nCMAKE_HOME_DIRECTORY:INTERNAL=" + of.string() +
+                                                "\n");
+        folder.with("build/build.ninja", "x");
+        folder.with("build/CMakeFiles/x", "x");
+    };
+    std::filesystem::create_directories(home);
+    std::filesystem::create_directory_symlink(home, folder / "link");
+    for (const auto& own : {home, folder / "link"}) {
+        configured(own, build);
+        forget_build_of_another_place(home, build);
+        CHECK(n_entries(build) == 3);
+    }
+    for (const auto& [of, in] : {std::pair{folder / "gone", build}, {home, folder / "gone"}}) {
+        configured(of, in);
+        forget_build_of_another_place(home, build);
+        CHECK(n_entries(build) == 0);
+    }
+}
+
+TEST_CASE("a missing program is named with its package or, having none, with the remedy",
+          "[firmware]") {
+    const auto complaint = [](const Command& command) {
+        try {
+            return output_of(command);
+        } catch (const SystemError& error) {
+            return std::string(error.what());
+        }
+    };
+    CHECK(complaint({{"/none/nm"}, {}, "binutils"}) ==
+          "/none/nm: program not found; install binutils (apt-get install binutils)");
+    CHECK(complaint({{"/none/nm"}, {}, {}, "build it"}) ==
+          "/none/nm: program not found; build it");
 }
 
 }  // namespace

@@ -3,8 +3,8 @@
 #include "tests/check.hpp"
 #include "tests/message_of.hpp"
 #include "tests/tools/study/toy_protocol.hpp"
+#include "tools/report/paper_agreement.hpp"
 #include "tools/study/experiment.hpp"
-#include "tools/study/sensitivity.hpp"
 
 namespace specula {
 namespace {

@@ -66,6 +66,23 @@ TEST_CASE("the published figure stands beside the result where there is one", "[
     CHECK(Json::parse(results_json(summary))["conditions"][0]["paper_macro_f1"] == 0.685);
 }
 
+TEST_CASE("few predictions have no percentiles, and one number no interval", "[study]") {
+    StudySummary summary = summary_of_one();
+    PaperPercentile few{.domain = "tilt", .n = 4, .percentile = 0.5};
+    summary.results.percentiles = {few, few};
+    summary.results.percentiles[1].n = 5;
+    HonestyCheck check{.name = "laws", .band = {{0.0, 1.0}}, .n_worlds = 2};
+    summary.results.checks = {check, check};
+    summary.results.checks[1].is_of_all_worlds_together = true;
+    const Json json = Json::parse(results_json(summary));
+    CHECK(json["paper_percentiles"][0]["percentile"].is_null());
+    CHECK(json["paper_percentiles"][0]["low_90"].is_null());
+    CHECK(json["paper_percentiles"][1]["percentile"] == 0.5);
+    CHECK(json["honesty_checks"][0]["value"]["low_95_over_worlds"] == 0.0);
+    CHECK(json["honesty_checks"][1]["value"]["low_95_over_worlds"].is_null());
+    CHECK(json["honesty_checks"][1]["weak_evidence"] == true);
+}
+
 TEST_CASE("results end in a line break and read the same twice", "[study]") {
     const std::string text = results_json(summary_of_one());
     CHECK(text.back() == '\n');

@@ -128,8 +128,31 @@ TEST_CASE("a study with all its parts says the same on one thread and on two", "
         }
     }
     SECTION("a check over two worlds that passes is called weak") {
-        CHECK(check_named(one.summary, "no_nuisance").is_weak());
-        CHECK_FALSE(check_named(one.summary, "same_nuisance").is_weak());  // no interval
+        std::size_t n_banded = 0;
+        for (const Json& check : json["honesty_checks"]) {
+            CHECK(check["worlds"] == 2);
+            const bool has_interval = check["check"] != "same_nuisance";
+            CHECK(check["value"]["low_95_over_worlds"].is_null() != has_interval);
+            if (check["band"].is_null()) continue;
+            ++n_banded;
+            CHECK(check["weak_evidence"] == true);
+        }
+        CHECK(n_banded >= 4);
+    }
+    SECTION("what merging gains has the interval of its two worlds") {
+        const HonestyCheck& merging = check_named(one.summary, "merged_at_least");
+        std::vector<std::array<double, 2>> spans;
+        for (const StudyCondition& condition : one.summary.conditions) {
+            const ConditionReport& r = condition.result;
+            const double first = r.macro_f1_merged_per_world[0] - r.macro_f1_per_world[0];
+            const double second = r.macro_f1_merged_per_world[1] - r.macro_f1_per_world[1];
+            spans.push_back({std::min(first, second), std::max(first, second)});
+        }
+        const std::array<double, 2> smallest = *std::ranges::min_element(
+            spans, {}, [](const auto& span) { return span[0] + span[1]; });
+        // A quarter of the resamples of two worlds holds one of them twice.
+        CHECK(merging.value.low == Approx(smallest[0]));
+        CHECK(merging.value.high == Approx(smallest[1]));
     }
     SECTION("the grid holds every height with every tilt, and the receiver's cells") {
         CHECK(results.severity.height_offsets_m == std::vector<double>{0.0, 0.05});

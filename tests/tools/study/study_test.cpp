@@ -104,8 +104,8 @@ TEST_CASE("what a study writes is what it recorded, trained and judged", "[study
             CHECK(dataset.origin.radar == "iwrl6432boost");
             CHECK(results["fingerprints"][name + ".h5"] == fingerprint(dataset));
         }
-        CHECK(results["fingerprints"]["calibration.json"] ==
-              results["calibration"]["frozen_file_hash"]);
+        const std::string frozen = results["calibration"]["frozen_file_sha256"];
+        CHECK(results["fingerprints"]["calibration.json"] == "sha256 " + frozen);
         CHECK(results["fingerprints"]["toy.toml"] == "sha256 " + sha256_of(toy_experiment));
         CHECK(results["fingerprints"].size() == 5);
     }
