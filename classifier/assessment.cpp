@@ -1,5 +1,9 @@
 #include "classifier/assessment.hpp"
 
+#include <algorithm>
+#include <map>
+#include <set>
+
 #include "classifier/metrics.hpp"
 #include "sim/core/expect.hpp"
 
@@ -16,6 +20,14 @@ RiskCoverage risk_coverage_by_doubt(const FeatureTable& rows, const Predictions&
         wrong.push_back(predictions.label[i] != rows.label[i]);
     }
     return risk_coverage_of(confidence, wrong);
+}
+
+std::size_t worlds_short_of_classes(const FeatureTable& rows) {
+    std::map<std::int32_t, std::set<std::uint8_t>> in_world;
+    for (std::size_t i = 0; i < rows.size(); ++i) in_world[rows.world[i]].insert(rows.label[i]);
+    const std::set<std::uint8_t> all(rows.label.begin(), rows.label.end());
+    return static_cast<std::size_t>(std::ranges::count_if(
+        in_world, [&](const auto& world) { return world.second.size() < all.size(); }));
 }
 
 void add_probability_scores(const FeatureTable& rows, const Predictions& predictions,
@@ -39,6 +51,7 @@ Assessment assess(const FeatureTable& rows, const Predictions& predictions, cons
     result.n_rows = rows.size();
     result.n_sessions = tree.n_sessions();
     result.n_worlds = tree.worlds.size();
+    result.n_worlds_short_of_classes = worlds_short_of_classes(rows);
     result.confusion = confusion_of(rows.label, predictions.label, predictions.n_classes);
     result.recall = recall_per_class(result.confusion);
     std::int64_t n_right = 0;

@@ -28,6 +28,7 @@ struct Assessment {
     std::size_t n_rows = 0;
     std::size_t n_sessions = 0;
     std::size_t n_worlds = 0;
+    std::size_t n_worlds_short_of_classes = 0;  ///< that lack a class of which others hold rows
     Confusion confusion;
     double accuracy = 0.0;
     std::vector<std::optional<double>> recall;  ///< (class)

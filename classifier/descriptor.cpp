@@ -66,18 +66,35 @@ FeatureTable columns(const Dataset& dataset, const Descriptor& descriptor) {
     return table;
 }
 
+/// The kind of data that an extractor makes features of must be there.
+void check_kind(const Dataset& dataset, const std::string& extractor) {
+    const auto refuse = [&](const std::string& problem) {
+        throw InputError(
+            format("{}: {}; use data that hold what the features are made of, or "
+                   "features made of what is there",
+                   extractor, problem));
+    };
+    if (extractor == "columns") {
+        if (dataset.feature_names.empty())
+            refuse("takes recorded features (/features), and the dataset holds none");
+        return;
+    }
+    const bool wants_range = extractor == "range_windows";
+    const std::string wanted = wants_range ? "samples along range" : "beat samples";
+    if (dataset.adc.empty()) refuse(format("takes {} (/adc), and the dataset holds none", wanted));
+    if (wants_range != (dataset.sample_axis == SampleAxis::range))
+        refuse(format("takes {}, and /adc holds {}", wanted,
+                      wants_range ? "beat samples" : "samples along range"));
+}
+
 void check_fit(const Dataset& dataset, const Descriptor& descriptor) {
+    check_kind(dataset, descriptor.extractor);
     const BinChoice choice{descriptor.bins.first_bin, descriptor.bins.n_bins};
     if (descriptor.extractor == "columns") {
         check_bins(choice, static_cast<int>(dataset.feature_names.size()), "features");
         return;
     }
     const bool is_range = dataset.sample_axis == SampleAxis::range;
-    if (dataset.adc.empty() || is_range != (descriptor.extractor == "range_windows"))
-        throw InputError(
-            format("{}: does not fit such frames; choose data of the kind the model "
-                   "was trained on",
-                   descriptor.extractor));
     if (!is_range && !dataset.adc_quadrature.empty())
         throw InputError(
             "the codes are complex, and the firmware takes real ones only; export "
@@ -106,6 +123,7 @@ Descriptor descriptor_for(const Dataset& dataset, const std::optional<BinChoice>
         descriptor.extractor = "range_windows";
         bins = {0, default_windows};
     }
+    check_kind(dataset, descriptor.extractor);
     if (choice) bins = *choice;
     check_bins(bins, 65535, "at most");
     descriptor.bins.first_bin = static_cast<std::uint16_t>(bins.first);

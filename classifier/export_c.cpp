@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <set>
 #include <span>
 
 #include "classifier/folded_model.hpp"
@@ -16,6 +17,19 @@ namespace {
 
 bool is_word(char c) {
     return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+/// Keywords of C up to C23, and the name of a program's first function.
+bool is_reserved(const std::string& name) {
+    static const std::set<std::string> reserved{
+        "alignas",  "alignof",      "auto",     "bool",    "break",   "case",          "char",
+        "const",    "constexpr",    "continue", "default", "do",      "double",        "else",
+        "enum",     "extern",       "false",    "float",   "for",     "goto",          "if",
+        "inline",   "int",          "long",     "main",    "nullptr", "register",      "restrict",
+        "return",   "short",        "signed",   "sizeof",  "static",  "static_assert", "struct",
+        "switch",   "thread_local", "true",     "typedef", "typeof",  "typeof_unqual", "union",
+        "unsigned", "void",         "volatile", "while"};
+    return reserved.contains(name);
 }
 
 std::string upper(std::string text) {
@@ -113,6 +127,9 @@ std::string source_text(const Model& model, const std::string& symbol) {
 }  // namespace
 
 void check_c_name(const std::string& name) {
+    if (is_reserved(name))
+        throw InputError(format(
+            "name = {}: means something in C already; use another, e.g. {}_model", name, name));
     const bool valid = !name.empty() && name.size() <= 32 && name[0] >= 'a' && name[0] <= 'z' &&
                        std::ranges::all_of(name, is_word);
     if (!valid)

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "sim/core/error.hpp"
 #include "sim/core/expect.hpp"
@@ -20,20 +22,47 @@ Session session_of(const FeatureTable& rows, std::size_t i) {
     return {rows.world[i], rows.session[i]};
 }
 
-/// (class) -> its sessions, in their order.
-std::map<std::uint8_t, std::vector<Session>> sessions_of_classes(const FeatureTable& rows) {
+/// (class) -> its sessions, world by world in the order given, in a world in their own.
+std::map<std::uint8_t, std::vector<Session>> sessions_of_classes(
+    const FeatureTable& rows, const std::vector<std::int32_t>& worlds) {
+    std::map<std::int32_t, std::size_t> place;
+    for (std::size_t w = 0; w < worlds.size(); ++w) place[worlds[w]] = w;
     std::map<std::uint8_t, std::vector<Session>> sessions;
     std::set<Session> seen;
     for (std::size_t i = 0; i < rows.size(); ++i)
         if (seen.insert(session_of(rows, i)).second)
             sessions[rows.label[i]].push_back(session_of(rows, i));
-    for (auto& [label, of_class] : sessions) std::ranges::sort(of_class);
+    for (auto& [label, of_class] : sessions)
+        std::ranges::sort(of_class, {}, [&](const Session& session) {
+            return std::pair{place.at(session.first), session.second};
+        });
     return sessions;
+}
+
+/// The first n_wanted places become a draw without replacement.
+template <typename T>
+void draw_first(std::span<T> items, std::size_t n_wanted, Stream& stream) {
+    for (std::size_t k = 0; k < n_wanted; ++k) {
+        const std::size_t pick = k + stream.below(static_cast<std::uint32_t>(items.size() - k));
+        std::swap(items[k], items[pick]);
+    }
+}
+
+std::vector<std::int32_t> worlds_by_chance(const FeatureTable& rows, Stream& stream) {
+    const std::set<std::int32_t> sorted(rows.world.begin(), rows.world.end());
+    std::vector<std::int32_t> worlds(sorted.begin(), sorted.end());
+    draw_first(std::span(worlds), worlds.empty() ? 0 : worlds.size() - 1, stream);
+    return worlds;
+}
+
+/// Of n_chosen among n, how many fall to the first n_passed: rounded, so that worlds share them.
+std::size_t chosen_among_first(std::size_t n_passed, std::size_t n_chosen, std::size_t n) {
+    return (2 * n_chosen * n_passed + n) / (2 * n);
 }
 
 std::set<Session> chosen_sessions(const FeatureTable& rows, double share, Stream& stream) {
     std::set<Session> chosen;
-    for (auto& [label, sessions] : sessions_of_classes(rows)) {
+    for (auto& [label, sessions] : sessions_of_classes(rows, worlds_by_chance(rows, stream))) {
         const std::size_t n = sessions.size();
         if (n < 2)
             throw InputError(
@@ -42,10 +71,15 @@ std::set<Session> chosen_sessions(const FeatureTable& rows, double share, Stream
                        rows.class_names[label], n));
         const auto wanted = static_cast<std::size_t>(std::lround(share * static_cast<double>(n)));
         const std::size_t n_chosen = std::clamp<std::size_t>(wanted, 1, n - 1);
-        for (std::size_t k = 0; k < n_chosen; ++k) {
-            const std::size_t pick = k + stream.below(static_cast<std::uint32_t>(n - k));
-            std::swap(sessions[k], sessions[pick]);
-            chosen.insert(sessions[k]);
+        for (std::size_t first = 0; first < n;) {
+            std::size_t last = first;
+            while (last < n && sessions[last].first == sessions[first].first) ++last;
+            const auto of_world = std::span(sessions).subspan(first, last - first);
+            const std::size_t n_of_world =
+                chosen_among_first(last, n_chosen, n) - chosen_among_first(first, n_chosen, n);
+            draw_first(of_world, n_of_world, stream);
+            for (std::size_t k = 0; k < n_of_world; ++k) chosen.insert(of_world[k]);
+            first = last;
         }
     }
     return chosen;

@@ -13,7 +13,9 @@ struct SessionSplit {
     FeatureTable held_out;
 };
 
-/// Holds out whole sessions: of each class `share` of them, one at least, chosen by chance.
+/// Holds out whole sessions: of each class `share` of them, one at least, chosen by chance and
+/// spread over the worlds, which are gone through in one order by chance for all classes: where a
+/// world has as many sessions of each class, as many of each are held out.
 ///
 /// A session of several classes counts for that of its first row. Sessions are told apart by world
 /// and number.

@@ -59,6 +59,7 @@ void DatasetReader::read_origin() {
     const auto [end, error] = std::from_chars(seed.data(), seed.data() + seed.size(), origin.seed);
     if (error != std::errc{} || end != seed.data() + seed.size()) fail("/@seed: is not a number");
     form_.class_names = in_.texts("/", "class_names");
+    check_names("/@class_names", form_.class_names);
     if (version_ >= 3.0) origin.recipe = in_.text("/", "recipe");
     if (version_ < 2.0) {
         tables_ = tables_without(parted_names(left_out_in_version_1));
@@ -68,6 +69,31 @@ void DatasetReader::read_origin() {
     if (in_.text("/", "sample_axis") == "range") form_.sample_axis = SampleAxis::range;
     tables_ = tables_without(parted_names(in_.text("/", "left_out")));
     if (version_ < 3.0) tables_.profile = false;
+}
+
+void DatasetReader::check_names(const std::string& attribute,
+                                const std::vector<std::string>& names) const {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (names[i].empty()) fail(format("{}: name {} is empty", attribute, i));
+        const auto first = std::find(names.begin(), names.end(), names[i]) - names.begin();
+        if (static_cast<std::size_t>(first) < i)
+            fail(format("{}: name {} = \"{}\": is the name of class {} too", attribute, i, names[i],
+                        first));
+    }
+}
+
+void DatasetReader::check_label_names() const {
+    const std::vector<std::string> attributes = in_.attributes("/label");
+    if (std::find(attributes.begin(), attributes.end(), "class_names") == attributes.end()) return;
+    const std::vector<std::string> names = in_.texts("/label", "class_names");
+    for (std::size_t i = 0; i < std::max(names.size(), form_.class_names.size()); ++i) {
+        const auto name_of = [i](const std::vector<std::string>& list) {
+            return i < list.size() ? format("\"{}\"", list[i]) : std::string("not there");
+        };
+        if (name_of(names) != name_of(form_.class_names))
+            fail(format("/label@class_names: name {} is {}, and in /@class_names it is {}", i,
+                        name_of(names), name_of(form_.class_names)));
+    }
 }
 
 void DatasetReader::read_codes_form() {
@@ -102,7 +128,11 @@ void DatasetReader::read_forms() {
         form_.feature_names = in_.texts("/features", "feature_names");
         if (!tables_.adc && !tables_.profile) n_frames_ = in_.shape("/features")[0];
     }
-    if (tables_.probability) form_.answer_names = in_.texts("/probability", "class_names");
+    if (tables_.probability) {
+        form_.answer_names = in_.texts("/probability", "class_names");
+        check_names("/probability@class_names", form_.answer_names);
+    }
+    check_label_names();
     form_.has_views = tables_.views;
     form_.unknown_truth = tables_.unknown_truth;
     const std::vector<std::string> groups = in_.groups();

@@ -38,6 +38,8 @@ class DatasetReader {
                                const FrameRange& range) const;
     std::vector<Truth> truth(const FrameRange& range) const;
     double bin_m(const std::string& object, const std::string& name) const;
+    void check_names(const std::string& attribute, const std::vector<std::string>& names) const;
+    void check_label_names() const;
     void check_truth(const Truth& frame, std::size_t row) const;
     void check_hashes(const Dataset& frames, const FrameRange& range) const;
     [[noreturn]] void fail(const std::string& problem) const;

@@ -102,6 +102,17 @@ void check_overlap(const Section& section, std::vector<RecordingPart> parts) {
                          "let each frame belong to one");
 }
 
+void check_distinct(const Section& section, const std::vector<std::string>& names) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const auto first = std::ranges::find(names, names[i]) - names.begin();
+        if (names[i].empty() || static_cast<std::size_t>(first) < i)
+            section.fail("class_names",
+                         names[i].empty() ? format("name {} is empty", i)
+                                          : format("\"{}\" is there twice", names[i]),
+                         "give each class a name of its own");
+    }
+}
+
 std::string quoted(const std::string& text) {
     std::string out = "\"";
     for (const char c : text) {
@@ -122,7 +133,10 @@ RecordingManifest read_manifest(Section section, const Catalogue& catalogue) {
         section.quantity("range_bin", Unit::length, Range::at_least(0.0), manifest.bin_m);
     if (section.choice("sample_axis", {"beat", "range"}, "beat") == "range")
         manifest.sample_axis = SampleAxis::range;
-    if (section.has("class_names")) manifest.class_names = section.texts("class_names");
+    if (section.has("class_names")) {
+        manifest.class_names = section.texts("class_names");
+        check_distinct(section, manifest.class_names);
+    }
     if (auto layout = section.find_section("layout")) read_layout(*layout, manifest);
     if (auto labels = section.find_section("labels")) {
         for (const char* key : {"class", "world", "sample", "session", "view", "frame"})

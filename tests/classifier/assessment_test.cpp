@@ -53,6 +53,16 @@ TEST_CASE("an assessment holds what each measure says by itself", "[assessment]"
     CHECK(found.area_under_risk_coverage < 1.0 - found.accuracy);  // doubt says something
 }
 
+TEST_CASE("worlds that lack a class of the data are counted", "[assessment]") {
+    Answered asked;
+    CHECK(assess(asked.rows, asked.answers, how).n_worlds_short_of_classes == 0);
+    const FeatureTable fewer = select_rows_where(asked.rows, [&](std::size_t i) {
+        return asked.rows.world[i] == 0 || asked.rows.label[i] != 1;
+    });
+    const Predictions answers = predict(fold(asked.model), fewer);
+    CHECK(assess(fewer, answers, how).n_worlds_short_of_classes == 1);
+}
+
 TEST_CASE("a departure finds the feature that moved, by every measure", "[assessment]") {
     const Answered asked;
     FeatureTable moved = draw({.n_rows = 400, .distance = 2.0, .item = 2});

@@ -67,7 +67,16 @@ TEST_CASE("a model says what it was trained on, and data of another kind are ref
     CHECK(descriptor_of(model).text() == "range_windows 0 4 rect");
     CHECK(message_of([&] {
               return describe(frames_along(SampleAxis::beat), descriptor_of(model), 1).size();
-          }).rfind("range_windows: does not fit such frames", 0) == 0);
+          }).rfind("range_windows: takes samples along range, and /adc holds beat samples; ", 0) ==
+          0);
+    Dataset bare;
+    bare.class_names = {"a"};
+    bare.truth.resize(1);
+    CHECK(
+        message_of([&] {
+            return descriptor_for(bare, BinChoice{0, 12}).text();
+        }).rfind("columns: takes recorded features (/features), and the dataset holds none; ", 0) ==
+        0);
     model.provenance = {{"descriptor", "range_windows 0 5 rect"}};
     CHECK(message_of([&] {
               return descriptor_of(model).text();

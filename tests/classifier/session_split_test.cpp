@@ -52,6 +52,28 @@ TEST_CASE("the share is rounded, but each side keeps a session of each class", "
     CHECK(sessions(hold_out_sessions(sessions_recorded(1), 0.99, split_key).training).size() == 3);
 }
 
+TEST_CASE("worlds that hold all classes alike keep all classes on the side held out", "[split]") {
+    // Two worlds of one to five sessions a class; ever so drawn, no world lacks a class.
+    for (int n_sessions = 1; n_sessions <= 5; ++n_sessions)
+        for (std::uint64_t seed = 0; seed < 20; ++seed) {
+            const SessionSplit split = hold_out_sessions(sessions_recorded(n_sessions), 0.3,
+                                                         {.seed = seed, .purpose = "split test"});
+            std::map<int, std::map<int, int>> rows;  // (world) -> (class) -> rows
+            for (std::size_t i = 0; i < split.held_out.size(); ++i)
+                ++rows[split.held_out.world[i]][split.held_out.label[i]];
+            for (const auto& [world, of_class] : rows) {
+                REQUIRE(of_class.size() == 3);
+                CHECK((of_class.at(0) == of_class.at(1) && of_class.at(1) == of_class.at(2)));
+            }
+        }
+    std::set<int> chosen;  // one session a class and world: which world goes is by chance
+    for (std::uint64_t seed = 0; seed < 20; ++seed)
+        chosen.insert(
+            hold_out_sessions(sessions_recorded(1), 0.3, {.seed = seed, .purpose = "split test"})
+                .held_out.world.front());
+    CHECK(chosen == std::set<int>{0, 1});
+}
+
 TEST_CASE("another key holds out other sessions, the same key the same", "[split]") {
     const FeatureTable rows = sessions_recorded(20);
     const auto first = sessions(hold_out_sessions(rows, 0.3, split_key).held_out);

@@ -123,6 +123,7 @@ struct TrainArguments {
     std::filesystem::path out;
     std::string holdout;  ///< "session": judge on sessions held out; empty: learn from all
     std::string radar;    ///< that recorded the frames; empty: the dataset's, if it is known
+    std::vector<std::string> given;  ///< options of training in use
     Learning learning;
 };
 void train_command(const TrainArguments& arguments, const Catalogue& catalogue);

@@ -41,17 +41,14 @@ struct Judge {
 
 Answered answer(const std::string& file, const Judge& judge) {
     const Model& model = judge.model;
-    const Dataset dataset = dataset_from(file);
-    if (model.class_names != dataset.class_names)
-        throw InputError(
-            format("{}: class_names: are not those of {}; use data of the same "
-                   "classes in the same order",
-                   file, judge.file));
+    Dataset dataset = dataset_from(file);
+    const std::string hash = fingerprint(dataset);
     try {
+        count_classes_as(model, judge.file, dataset);
         expect_measured_for(model, dataset, judge.catalogue);
         Answered answered{.rows = rows_for(model, dataset, judge.threads),
                           .answers = {},
-                          .fingerprint = fingerprint(dataset)};
+                          .fingerprint = hash};
         answered.answers = predict(fold(model), answered.rows);
         return answered;
     } catch (const InputError& error) {
@@ -119,26 +116,43 @@ std::optional<Departure> compared(const std::optional<Answered>& nominal, const 
     return departure_from(observed(*nominal), observed(asked));
 }
 
+/// A model of specula train says of which dataset it is.
+bool learnt_from(const Model& model, const std::string& fingerprint) {
+    return std::ranges::find(model.provenance, std::pair<std::string, std::string>{
+                                                   "dataset", fingerprint}) !=
+           model.provenance.end();
+}
+
+void check_nominal(const EvaluateArguments& arguments, const Judge& judge, const Answered& nominal,
+                   const Answered& asked) {
+    if (nominal.fingerprint == asked.fingerprint)
+        throw InputError(format("--nominal = {}: holds the frames of {}, and nothing departs from "
+                                "itself; name nominal data of other sessions",
+                                arguments.nominal, arguments.what[1]));
+    if (learnt_from(judge.model, nominal.fingerprint))
+        throw InputError(format("--nominal = {}: holds the frames that {} learnt from, which are "
+                                "more familiar than any others; name nominal data recorded anew",
+                                arguments.nominal, judge.file));
+}
+
 void evaluate_model(const EvaluateArguments& arguments, const Catalogue& catalogue) {
     const std::string& model_file = arguments.what[0];
     const std::string& data = arguments.what[1];
     if (!arguments.figure.empty()) make_output_folder(arguments.figure);
     if (!arguments.json.empty())
-        prepare_output(arguments.json, {model_file, data, arguments.nominal});
+        prepare_output(arguments.json, {model_file, data, arguments.nominal}, "--json");
     const Model model = read_model(model_file);
     const Judge judge{model, model_file, catalogue, arguments.learning.threads};
     const std::vector<int> merged = merged_map(arguments.merged, model.class_names);
     const Answered asked = answer(data, judge);
     std::optional<Answered> nominal;
     if (!arguments.nominal.empty()) nominal = answer(arguments.nominal, judge);
-    if (nominal && nominal->fingerprint == asked.fingerprint)
-        throw InputError(format("--nominal = {}: holds the frames of {}, and nothing departs from "
-                                "itself; name nominal data of other sessions",
-                                arguments.nominal, data));
+    if (nominal) check_nominal(arguments, judge, *nominal, asked);
 
     EvaluationFacts facts{.model = model_file,
                           .data = data,
                           .fingerprint = asked.fingerprint,
+                          .is_training_data = learnt_from(model, asked.fingerprint),
                           .nominal = arguments.nominal,
                           .class_names = model.class_names,
                           .merged = arguments.merged};
@@ -153,6 +167,9 @@ void evaluate_model(const EvaluateArguments& arguments, const Catalogue& catalog
                 .resampling = {.key = {.seed = arguments.learning.seed, .purpose = "bootstrap"}}});
     const std::optional<Departure> departure = compared(nominal, asked, model);
 
+    if (facts.is_training_data)
+        std::printf("NOTE: these are the frames the model learnt from: this says nothing about "
+                    "others.\n\n");
     print_assessment(assessment, {.class_names = model.class_names,
                                   .merged_label = merged_text(arguments.merged),
                                   .has_temperature = nominal.has_value()});
@@ -183,13 +200,13 @@ void check_given(const EvaluateArguments& arguments) {
 void check_arguments(const EvaluateArguments& arguments) {
     const bool cross = !arguments.leave_out.empty();
     check_given(arguments);
+    expect_heeded(arguments.given, arguments.learning, {});
     if (arguments.what.size() != (cross ? 1u : 2u))
         throw InputError(cross ? "--leave-out trains its own models; name the dataset alone"
                                : "name a model and a dataset, or a dataset with --leave-out");
-    if (cross && !(arguments.json.empty() && arguments.figure.empty() && arguments.merged.empty() &&
-                   arguments.nominal.empty()))
-        throw InputError(
-            "--json, --figure, --merge and --nominal go with a model, not with --leave-out");
+    if (cross &&
+        !(arguments.figure.empty() && arguments.merged.empty() && arguments.nominal.empty()))
+        throw InputError("--figure, --merge and --nominal go with a model, not with --leave-out");
 }
 
 }  // namespace

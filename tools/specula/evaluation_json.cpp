@@ -15,17 +15,6 @@ Json interval_json(const Interval& interval) {
     return {{"mean", interval.mean}, {"low_95", interval.low}, {"high_95", interval.high}};
 }
 
-Json confusion_json(const Confusion& confusion) {
-    Json rows = Json::array();
-    for (std::size_t truth = 0; truth < confusion.n; ++truth) {
-        Json row = Json::array();
-        for (std::size_t said = 0; said < confusion.n; ++said)
-            row.push_back(confusion.at(truth, said));
-        rows.push_back(row);
-    }
-    return rows;
-}
-
 Json reliability_json(const Reliability& reliability) {
     Json bins = Json::array();
     for (const ReliabilityBin& bin : reliability.bins)
@@ -48,6 +37,17 @@ Json departure_json(const Departure& departure) {
 
 }  // namespace
 
+Json confusion_json(const Confusion& confusion) {
+    Json rows = Json::array();
+    for (std::size_t truth = 0; truth < confusion.n; ++truth) {
+        Json row = Json::array();
+        for (std::size_t said = 0; said < confusion.n; ++said)
+            row.push_back(confusion.at(truth, said));
+        rows.push_back(row);
+    }
+    return rows;
+}
+
 std::string evaluation_json(const EvaluationFacts& facts, const Assessment& assessment,
                             const std::optional<Departure>& departure) {
     Json json{{"format", "specula-evaluation"},
@@ -56,11 +56,13 @@ std::string evaluation_json(const EvaluationFacts& facts, const Assessment& asse
               {"model", facts.model},
               {"data", facts.data},
               {"data_fingerprint", facts.fingerprint},
+              {"data_is_training_data", facts.is_training_data},
               {"class_names", facts.class_names},
               {"merged_classes", facts.merged},
               {"frames", assessment.n_rows},
               {"sessions", assessment.n_sessions},
               {"worlds", assessment.n_worlds},
+              {"worlds_without_some_class", assessment.n_worlds_short_of_classes},
               {"accuracy", assessment.accuracy},
               {"macro_f1_all_frames", macro_f1(assessment.confusion)},
               {"macro_f1", interval_json(assessment.macro_f1)},

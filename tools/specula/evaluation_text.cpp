@@ -55,6 +55,11 @@ void print_assessment(const Assessment& assessment, const AssessmentNames& names
     std::printf("%zu sessions of %zu %s\n\n", assessment.n_sessions, assessment.n_worlds,
                 assessment.n_worlds == 1 ? "world" : "worlds");
     print_share("macro-F1, mean over worlds", assessment.macro_f1);
+    if (assessment.n_worlds_short_of_classes > 0)
+        std::printf(
+            "  (%zu of the worlds lack a class here: theirs is over the classes they have, "
+            "and the mean\n  compares with no other; macro-F1 over all frames is above)\n",
+            assessment.n_worlds_short_of_classes);
     if (!names.merged_label.empty())
         print_share(names.merged_label.c_str(), assessment.macro_f1_merged);
     print_calibration(assessment, names.has_temperature);

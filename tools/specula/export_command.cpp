@@ -1,5 +1,7 @@
+#include <array>
 #include <cstdio>
 #include <map>
+#include <utility>
 
 #include "classifier/export_c.hpp"
 #include "classifier/export_onnx.hpp"
@@ -30,12 +32,26 @@ void write(const std::filesystem::path& file, const std::string& content) {
     std::printf("wrote %s, %zu bytes\n", file.c_str(), content.size());
 }
 
+using Output = std::pair<const char*, std::filesystem::path>;  // (option, file)
+
+std::array<Output, 3> outputs_of(const ExportModelArguments& arguments) {
+    return {Output{"--blob", arguments.blob}, Output{"--c", arguments.c_source},
+            Output{"--onnx", arguments.onnx}};
+}
+
+/// An option that changes nothing in what is written would be thought to have done so.
+void check_heeded(const ExportModelArguments& arguments) {
+    if (!arguments.symbol.empty() && arguments.c_source.empty())
+        throw InputError("--symbol: goes with --c, whose array it names; add --c FILE");
+    if (arguments.arithmetic != "float" && arguments.blob.empty() && arguments.c_source.empty())
+        throw InputError(
+            "--arithmetic: goes with --blob or --c, and ONNX is always float; leave it out");
+}
+
 /// Each output must have a file of its own: the second would replace the first.
 void check_files_differ(const ExportModelArguments& arguments) {
     std::map<std::filesystem::path, const char*> taken;
-    for (const auto& [option, file] :
-         {std::pair{"--blob", arguments.blob}, std::pair{"--c", arguments.c_source},
-          std::pair{"--onnx", arguments.onnx}}) {
+    for (const auto& [option, file] : outputs_of(arguments)) {
         if (file.empty()) continue;
         const auto [found, is_new] = taken.emplace(
             std::filesystem::weakly_canonical(std::filesystem::absolute(file)), option);
@@ -73,8 +89,9 @@ auto made_from(const ExportModelArguments& arguments, Make make) {
 void export_model_command(const ExportModelArguments& arguments) {
     if (arguments.blob.empty() && arguments.c_source.empty() && arguments.onnx.empty())
         throw InputError("export model: nothing to write; give --blob, --c or --onnx with a file");
-    for (const auto& out : {arguments.blob, arguments.c_source, arguments.onnx})
-        if (!out.empty()) prepare_output(out, {arguments.model});
+    check_heeded(arguments);
+    for (const auto& [option, out] : outputs_of(arguments))
+        if (!out.empty()) prepare_output(out, {arguments.model}, option);
     check_files_differ(arguments);
     if (!arguments.symbol.empty()) check_c_name(arguments.symbol);
     const Model model = read_model(arguments.model);

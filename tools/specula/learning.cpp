@@ -63,6 +63,32 @@ Dataset dataset_from(const std::filesystem::path& file) {
     return read_dataset(file);
 }
 
+void count_classes_as(const Model& model, const std::string& file, Dataset& dataset) {
+    for (Truth& truth : dataset.truth) {
+        const auto found = std::ranges::find(model.class_names, dataset.class_names[truth.label]);
+        if (found == model.class_names.end())
+            throw InputError(format(
+                "class_names: \"{}\" is no class of {}; the model knows {}, the data name {}",
+                dataset.class_names[truth.label], file, quoted_list(model.class_names),
+                quoted_list(dataset.class_names)));
+        truth.label = static_cast<std::uint8_t>(found - model.class_names.begin());
+    }
+    dataset.class_names = model.class_names;
+}
+
+void expect_heeded(const std::vector<std::string>& given, const Learning& learning,
+                   const std::string& holdout) {
+    const auto is_given = [&](const char* option) {
+        return std::ranges::find(given, option) != given.end();
+    };
+    if (is_given("--held-out") && holdout.empty() && learning.options.patience == 0)
+        throw InputError(
+            "--held-out: goes with --patience, or of specula train with --holdout session, and "
+            "holds nothing out alone; add one or leave it out");
+    if (is_given("--kernel") && learning.options.convolution.empty())
+        throw InputError("--kernel: goes with --convolution; add it or leave --kernel out");
+}
+
 std::vector<std::string> feature_names_of(const Dataset& dataset, const Descriptor& descriptor) {
     if (descriptor.extractor != "columns") return {};
     const std::size_t n = dataset.feature_names.size();

@@ -20,6 +20,18 @@ std::vector<std::size_t> first_frames(const Dataset& dataset, const Descriptor& 
 /// read_dataset, which says so where the file is a model.
 Dataset dataset_from(const std::filesystem::path& file);
 
+/// Counts the dataset's classes as the model does: classes are the same by their names, in whatever
+/// order and however few of them. Throws InputError with both lists where a frame is of a class
+/// that the model does not know.
+/// @in  file  of the model
+void count_classes_as(const Model& model, const std::string& file, Dataset& dataset);
+
+/// Throws InputError where an option was given that changes nothing without another.
+/// @in  given    names of options
+/// @in  holdout  TrainArguments::holdout
+void expect_heeded(const std::vector<std::string>& given, const Learning& learning,
+                   const std::string& holdout);
+
 /// Names of the columns that a descriptor takes; none where it makes its numbers itself.
 std::vector<std::string> feature_names_of(const Dataset& dataset, const Descriptor& descriptor);
 

@@ -73,7 +73,8 @@ void add_regularisers(CLI::App* command, Learning& learning) {
         ->capture_default_str();
     command
         ->add_option("--held-out", options.held_out,
-                     "0 to 1: share of the sessions of each class to hold out")
+                     "0 to 1: share of the sessions of each class to hold out, for --patience "
+                     "or --holdout")
         ->capture_default_str();
 }
 
@@ -88,7 +89,7 @@ void add_learning(CLI::App* command, Learning& learning) {
     add_threads(command, learning.threads);
 }
 
-/// Keeps the names of those options given that a trained model does not heed.
+/// Keeps the names of those options given that make a model, and a finished one does not heed.
 void note_training_options(CLI::App* command, std::vector<std::string>& given) {
     static const std::set<std::string> heeded{"--leave-out", "--json", "--figure",  "--merge",
                                               "--nominal",   "--seed", "--threads", "--help"};
@@ -101,7 +102,7 @@ void note_training_options(CLI::App* command, std::vector<std::string>& given) {
 }
 
 void add_outputs(CLI::App* command, EvaluateArguments& arguments) {
-    command->add_option("--json", arguments.json, "write every number")->type_name("FILE");
+    command->add_option("--json", arguments.json, "write every number, also of --leave-out")->type_name("FILE");
     command
         ->add_option("--figure", arguments.figure,
                      "draw confusion, reliability and risk over coverage as SVG, PNG and CSV")
@@ -138,6 +139,7 @@ void add_train(CLI::App& program, TrainArguments& arguments) {
                      "needs to know. Default the dataset's")
         ->type_name("NAME");
     add_learning(command, arguments.learning);
+    note_training_options(command, arguments.given);
 }
 
 void add_evaluate(CLI::App& program, EvaluateArguments& arguments) {
@@ -180,7 +182,9 @@ void add_predict(CLI::App& program, PredictArguments& arguments) {
         "  prototype_distance_sd (higher is less familiar); suspicious is 1 beyond the model's own\n"
         "  limit of mahalanobis_squared. Without -o, CSV on standard output.");
     command->add_option("MODEL", arguments.model, "model (.json)")->required();
-    command->add_option("DATASET", arguments.data, "dataset (.h5); its classes are not needed")
+    command
+        ->add_option("DATASET", arguments.data,
+                     "dataset (.h5); its /label must be there, but is not looked at")
         ->required();
     command->add_option("-o,--out", arguments.out, "table to write: .csv or .json")
         ->type_name("FILE");

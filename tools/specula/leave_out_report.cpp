@@ -3,18 +3,25 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "classifier/cross_validation.hpp"
 #include "classifier/metrics.hpp"
-#include "sim/core/error.hpp"
+#include "sim/core/atomic_file.hpp"
 #include "sim/core/format.hpp"
+#include "sim/core/version.hpp"
+#include "sim/dataset/fingerprint.hpp"
+#include "tools/specula/evaluation_json.hpp"
 #include "tools/specula/evaluation_text.hpp"
 #include "tools/specula/learning.hpp"
+#include "tools/specula/output_place.hpp"
 #include "tools/study/progress.hpp"
 
 namespace specula {
 
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 const std::map<std::string, LeaveOut> splits{{"frame", LeaveOut::frame},
                                              {"session", LeaveOut::session},
@@ -30,11 +37,12 @@ struct Score {
         squares += value * value;
         n += 1.0;
     }
+    double mean() const { return sum / n; }
+    double deviation() const { return std::sqrt(std::max(0.0, squares / n - mean() * mean())); }
     std::string text() const {
-        const double mean = sum / n;
-        const double sd = std::sqrt(std::max(0.0, squares / n - mean * mean));
-        return format("{:5.1f} +- {:.1f} %", 100.0 * mean, 100.0 * sd);
+        return format("{:5.1f} +- {:.1f} %", 100.0 * mean(), 100.0 * deviation());
     }
+    Json json() const { return {{"mean", mean()}, {"standard_deviation", deviation()}}; }
 };
 
 /// Share of groups of frames whose most frequent answer is right.
@@ -123,9 +131,37 @@ void print_scores(const std::map<std::string, SplitScores>& all, const EvaluateA
     }
 }
 
+std::string scores_json(const std::map<std::string, SplitScores>& all,
+                        const EvaluateArguments& arguments, const Dataset& dataset,
+                        const FeatureTable& rows) {
+    Json json{{"format", "specula-cross-validation"},
+              {"format_version", 1},
+              {"software_version", program_version},
+              {"data", arguments.what[0]},
+              {"data_fingerprint", fingerprint(dataset)},
+              {"descriptor", chosen_descriptor(arguments.learning, dataset).text()},
+              {"class_names", dataset.class_names},
+              {"frames", rows.size()},
+              {"folds", arguments.folds},
+              {"repeats", arguments.repeats},
+              {"seed", arguments.learning.seed},
+              {"neighbours", arguments.neighbours},
+              {"left_out", Json::object()}};
+    for (const auto& [split, scores] : all) {
+        Json& of_split = json["left_out"][split];
+        of_split = {{"frames_right", scores.frames.json()},
+                    {"sessions_right", scores.sessions.json()}};
+        if (arguments.leak_check)
+            of_split["frames_right_of_shuffled_classes"] = scores.shuffled.json();
+        of_split["confusion_true_by_predicted"] = confusion_json(scores.confusion);
+    }
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
 }  // namespace
 
 void evaluate_left_out(const EvaluateArguments& arguments) {
+    if (!arguments.json.empty()) prepare_output(arguments.json, {arguments.what[0]}, "--json");
     const Dataset dataset = dataset_from(arguments.what[0]);
     const Descriptor descriptor = chosen_descriptor(arguments.learning, dataset);
     const FeatureTable rows = described(dataset, descriptor, arguments.learning.threads);
@@ -141,6 +177,9 @@ void evaluate_left_out(const EvaluateArguments& arguments) {
     std::printf("%zu frames, descriptor %s, %d folds, %d repeats (mean +- standard deviation)\n\n",
                 rows.size(), descriptor.text().c_str(), arguments.folds, arguments.repeats);
     print_scores(all, arguments, dataset.class_names);
+    if (arguments.json.empty()) return;
+    write_file_atomically(arguments.json, scores_json(all, arguments, dataset, rows));
+    std::printf("\nWrote %s\n", arguments.json.c_str());
 }
 
 }  // namespace specula

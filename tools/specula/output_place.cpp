@@ -12,12 +12,13 @@ namespace specula {
 
 namespace fs = std::filesystem;
 
-void prepare_output(const fs::path& out, const std::vector<fs::path>& inputs) {
+void prepare_output(const fs::path& out, const std::vector<fs::path>& inputs,
+                    const std::string& option) {
     std::error_code error;
     for (const fs::path& input : inputs)
         if (!input.empty() && fs::equivalent(out, input, error))
-            throw InputError(
-                format("{}: is an input of this command; give --out another name", out.string()));
+            throw InputError(format("{}: is an input of this command; give {} another name",
+                                    out.string(), option));
     check_output_place(out);
 }
 

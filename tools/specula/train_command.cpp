@@ -77,6 +77,7 @@ std::optional<Measurement> measurement_for(const TrainArguments& arguments, cons
 }  // namespace
 
 void train_command(const TrainArguments& arguments, const Catalogue& catalogue) {
+    expect_heeded(arguments.given, arguments.learning, arguments.holdout);
     prepare_output(arguments.out, {arguments.data, arguments.radar});
     const Dataset dataset = dataset_from(arguments.data);
     try {

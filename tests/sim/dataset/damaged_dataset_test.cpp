@@ -181,6 +181,27 @@ TEST_CASE("each object that is missing or of another kind is named", "[dataset]"
 
 #endif
 
+TEST_CASE("class names that are empty, twice there or not the labels' are refused", "[dataset]") {
+    const TemporaryFolder folder;
+    const fs::path file = folder / "a.h5";
+    Dataset dataset = made_up_dataset();
+    dataset.class_names = {"iron", "wood", "iron"};
+    write_dataset(file, dataset);
+    CHECK(names(refusal_of(file), file, "/@class_names: name 2 = \"iron\": is the name of"));
+    dataset.class_names = {"iron", "", "wood"};
+    write_dataset(file, dataset);
+    CHECK(names(refusal_of(file), file, "/@class_names: name 1 is empty"));
+#ifdef SPECULA_TEST_HAS_HDF5
+    write_dataset(file, made_up_dataset());
+    Hdf5Probe(file).put_texts("/label", "class_names", {"iron", "other"});
+    CHECK(names(refusal_of(file), file, "/label@class_names: name 1 is \"other\", and in /@c"));
+    Hdf5Probe(file).put_texts("/label", "class_names", {"iron"});
+    CHECK(names(refusal_of(file), file, "/label@class_names: name 1 is not there"));
+    Hdf5Probe(file).remove_attribute("/label", "class_names");
+    CHECK(refusal_of(file) == "(no error)");
+#endif
+}
+
 TEST_CASE("a label that names no class is refused", "[dataset]") {
     const TemporaryFolder folder;
     Dataset dataset = made_up_dataset();

@@ -47,6 +47,18 @@ class Hdf5Probe {
         put(object, name, type, H5Screate(H5S_SCALAR), &text);
         H5Tclose(type);
     }
+    /// Replaces an attribute by texts of fixed length in a row.
+    void put_texts(const std::string& object, const std::string& name,
+                   const std::vector<std::string>& texts) {
+        constexpr std::size_t length = 32;
+        std::string packed;
+        for (const std::string& text : texts) packed += text + std::string(length - text.size(), 0);
+        const hid_t type = H5Tcopy(H5T_C_S1);
+        H5Tset_size(type, length);
+        const hsize_t n = texts.size();
+        put(object, name, type, H5Screate_simple(1, &n, nullptr), packed.data());
+        H5Tclose(type);
+    }
     /// Replaces a table by one of 16-bit numbers, chunked, never written.
     void put_claim(const std::string& object, const std::vector<hsize_t>& shape) {
         remove(object);

@@ -85,6 +85,13 @@ TEST_CASE("parts label frames, and truth is known where all parts know it", "[re
     CHECK(longer.unknown_truth.all());
     CHECK(import_refusal("adc", codes(6), parts + layout) ==
           "frames = [2, 3]: the recording has 3 frames; end at 2");
+    CHECK(message_of([] {
+              return manifest("class_names = ['wood', 'iron', 'wood']\n").condition;
+          }).find("\"wood\" is there twice; give each class a name of its own") !=
+          std::string::npos);
+    CHECK(message_of([] {
+              return manifest("class_names = ['wood', '']\n").condition;
+          }).find("name 1 is empty; give each class a name of its own") != std::string::npos);
 }
 
 TEST_CASE("a sample's number in two classes names two pieces", "[recording]") {

@@ -104,6 +104,45 @@ TEST_CASE("evaluate writes every number and draws every figure", "[program][lear
             CHECK(std::filesystem::file_size(folder / "figures" / (name + form)) > 100);
 }
 
+TEST_CASE("evaluate says so where the model learnt from the very frames", "[program][learning]") {
+    const LearningFolder folder;
+    folder.run(joined({"train", "a.h5", "-o", "m.json"}, quick_training));
+    const std::string note = "NOTE: these are the frames the model learnt from";
+    const auto said_of = [&](const std::string& data) {
+        const std::string said = folder.run({"evaluate", "m.json", data, "--json", "s.json"});
+        const auto scores = nlohmann::json::parse(content_of(folder / "s.json"));
+        CHECK(scores["data_is_training_data"].get<bool>() == (said.rfind(note, 0) == 0));
+        return said;
+    };
+    std::filesystem::copy_file(folder / "a.h5", folder / "copy.h5");
+    CHECK(said_of("copy.h5").rfind(note, 0) == 0);
+    CHECK_FALSE(contains(said_of("b.h5"), note));
+    CHECK(folder.refusal({"evaluate", "m.json", "b.h5", "--nominal", "copy.h5"}) ==
+          "--nominal = copy.h5: holds the frames that m.json learnt from, which are more familiar "
+          "than any others; name nominal data recorded anew");
+}
+
+TEST_CASE("classes are the same by their names, in any order and however few",
+          "[program][learning]") {
+    const LearningFolder folder;
+    folder.run(joined({"train", "a.h5", "-o", "m.json"}, quick_training));
+    Dataset turned = made_up_classes({.seed = 2});  // as b.h5
+    turned.class_names = {"wood", "glass", "iron"};
+    for (Truth& truth : turned.truth)
+        truth.label = static_cast<std::uint8_t>((truth.label + 1) % 3);
+    write_dataset(folder / "turned.h5", turned);
+    CHECK(folder.run({"evaluate", "m.json", "turned.h5"}) ==
+          folder.run({"evaluate", "m.json", "b.h5"}));
+    Dataset one = made_up_classes({.seed = 2});
+    one.class_names = {"iron", "never seen"};
+    for (std::size_t i = 0; i < one.n_frames(); ++i) {
+        one.features[2 * i] = 2.0;  // the centre of iron
+        one.truth[i].label = 0;
+    }
+    write_dataset(folder / "one.h5", one);
+    CHECK(contains(folder.run({"evaluate", "m.json", "one.h5"}), "120 frames: accuracy 100.0 %"));
+}
+
 TEST_CASE("predict has a row per frame whose probabilities add up to 1", "[program][learning]") {
     const LearningFolder folder;
     folder.run(joined({"train", "a.h5", "-o", "m.json"}, quick_training));
@@ -188,6 +227,31 @@ TEST_CASE("neighbours answer a cross-validation in place of a network", "[progra
     CHECK(folder.refusal({"evaluate", "a.h5", "--leave-out", "session", "--neighbours", "5",
                           "--mixup", "0.2"}) ==
           "--mixup: is of a network, and --neighbours trains none; leave one of the two out");
+}
+
+TEST_CASE("a cross-validation writes the table it prints", "[program][learning]") {
+    const LearningFolder folder;
+    const std::string said =
+        folder.run({"evaluate", "c.h5", "--leave-out", "session,frame", "--neighbours", "5",
+                    "--folds", "4", "--repeats", "2", "--leak-check", "--json", "table.json"});
+    const auto table = nlohmann::json::parse(content_of(folder / "table.json"));
+    CHECK((table["frames"] == 120 && table["folds"] == 4 && table["repeats"] == 2));
+    for (const std::string split : {"session", "frame"}) {
+        const auto& scores = table["left_out"][split];
+        std::int64_t n = 0, n_right = 0;
+        for (std::size_t truth = 0; truth < 3; ++truth)
+            for (std::size_t guess = 0; guess < 3; ++guess) {
+                const auto cell =
+                    scores["confusion_true_by_predicted"][truth][guess].get<std::int64_t>();
+                n += cell;
+                n_right += truth == guess ? cell : 0;
+            }
+        CHECK(n == 2 * 120);
+        CHECK(scores["frames_right"]["mean"].get<double>() ==
+              Approx(static_cast<double>(n_right) / 240.0).epsilon(1e-12));
+        CHECK(scores["frames_right_of_shuffled_classes"]["mean"].get<double>() > 0.0);
+    }
+    CHECK(contains(said, "Wrote table.json"));
 }
 
 TEST_CASE("a reader who has seen enough of a long table is no error", "[program][learning]") {

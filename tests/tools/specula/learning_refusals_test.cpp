@@ -51,7 +51,8 @@ TEST_CASE("data that nothing can be learnt from are refused in one line", "[prog
     CHECK(train("a.h5", {"--mixup", "7"}) ==
           "a.h5: mixup = 7: is out of range; use 0, or 0.05 to 1");
     CHECK(train("a.h5", {"--descriptor", "range_bins 6 12 blackman"})
-              .rfind("a.h5: range_bins: does not fit such frames", 0) == 0);
+              .rfind("a.h5: range_bins: takes beat samples (/adc), and the dataset holds none; ", 0) ==
+          0);
     CHECK(train("a.h5", {"--descriptor", "bins"}).rfind("a.h5: descriptor = \"bins\": ", 0) == 0);
 }
 
@@ -66,10 +67,10 @@ TEST_CASE("data that do not fit a model are refused in one line", "[program][lea
     fewer.features.resize(fewer.n_frames());
     write_dataset(folder / "fewer.h5", fewer);
     CHECK(folder.refusal({"evaluate", "m.json", "renamed.h5"}) ==
-          "renamed.h5: class_names: are not those of m.json; use data of the same classes in the "
-          "same order");
+          "renamed.h5: class_names: \"steel\" is no class of m.json; the model knows \"glass\", "
+          "\"iron\" or \"wood\", the data name \"glass\", \"steel\" or \"wood\"");
     CHECK(folder.refusal({"evaluate", "m.json", "b.h5", "--nominal", "renamed.h5"})
-              .rfind("renamed.h5: class_names: are not those of m.json", 0) == 0);
+              .rfind("renamed.h5: class_names: \"steel\" is no class of m.json", 0) == 0);
     const std::string too_few = "fewer.h5: bins 0:2: there are 1 features; choose among them";
     CHECK(folder.refusal({"evaluate", "m.json", "fewer.h5"}) == too_few);
     CHECK(folder.refusal({"predict", "m.json", "fewer.h5", "-o", "x.csv"}) == too_few);
@@ -81,11 +82,15 @@ TEST_CASE("data that do not fit a model are refused in one line", "[program][lea
           "a.h5: is an input of this command; give --out another name");
     CHECK(folder.refusal({"predict", "m.json", "b.h5", "-o", "m.json"}).rfind("m.json: is an", 0) ==
           0);
-    CHECK(
-        folder.refusal({"evaluate", "m.json", "b.h5", "--json", "b.h5"}).rfind("b.h5: is an", 0) ==
-        0);
-    CHECK(folder.refusal({"evaluate", "a.h5", "--leave-out", "frame", "--json", "x.json"}) ==
-          "--json, --figure, --merge and --nominal go with a model, not with --leave-out");
+    CHECK(folder.refusal({"evaluate", "m.json", "b.h5", "--json", "b.h5"}) ==
+          "b.h5: is an input of this command; give --json another name");
+    for (const std::string option : {"--blob", "--c", "--onnx"})
+        CHECK(folder.refusal({"export", "model", "m.json", option, "m.json"}) ==
+              "m.json: is an input of this command; give " + option + " another name");
+    CHECK(folder.refusal({"evaluate", "a.h5", "--leave-out", "frame", "--figure", "x"}) ==
+          "--figure, --merge and --nominal go with a model, not with --leave-out");
+    CHECK(folder.refusal({"evaluate", "a.h5", "--leave-out", "frame", "--json", "a.h5"}) ==
+          "a.h5: is an input of this command; give --json another name");
 }
 
 TEST_CASE("columns that were swapped or renamed are refused, the first of them named",
@@ -132,6 +137,27 @@ TEST_CASE("what cannot mean what it says is refused", "[program][learning]") {
     CHECK(folder.refusal({"evaluate", "m.json", "m.json"}) == no_dataset);
     CHECK(folder.refusal({"train", "m.json", "-o", "x.json"}) == no_dataset);
     CHECK(folder.refusal({"evaluate", "m.json", "--leave-out", "frame"}) == no_dataset);
+}
+
+TEST_CASE("an option that does nothing without another is refused", "[program][learning]") {
+    const LearningFolder folder;
+    folder.run(joined({"train", "a.h5", "-o", "m.json"}, quick_training));
+    const Arguments train{"train", "a.h5", "-o", "x.json"};
+    CHECK(folder.refusal(joined(train, {"--held-out", "0.5"})) ==
+          "--held-out: goes with --patience, or of specula train with --holdout session, and holds "
+          "nothing out alone; add one or leave it out");
+    CHECK(folder.refusal({"evaluate", "a.h5", "--leave-out", "frame", "--held-out", "0.5"})
+              .rfind("--held-out: goes with --patience", 0) == 0);
+    CHECK(folder.refusal(joined(train, {"--kernel", "5"})) ==
+          "--kernel: goes with --convolution; add it or leave --kernel out");
+    CHECK(folder.refusal({"export", "model", "m.json", "--blob", "x.rfwm", "--symbol", "lab"}) ==
+          "--symbol: goes with --c, whose array it names; add --c FILE");
+    CHECK(folder.refusal({"export", "model", "m.json", "--onnx", "x", "--arithmetic", "int8"}) ==
+          "--arithmetic: goes with --blob or --c, and ONNX is always float; leave it out");
+    for (const std::string word : {"int", "static_assert", "main"})
+        CHECK(folder.refusal({"export", "model", "m.json", "--c", "x.c", "--symbol", word}) ==
+              "name = " + word + ": means something in C already; use another, e.g. " + word +
+                  "_model");
 }
 
 TEST_CASE("an output that cannot be is told with status 2 before the work", "[program][learning]") {
