@@ -67,6 +67,7 @@ RadarView view_of(const Radar& radar) {
             .first_pole_hz = receiver.high_pass_hz,
             .second_pole_hz = receiver.second_high_pass_hz < 0.0 ? receiver.high_pass_hz
                                                                  : receiver.second_high_pass_hz,
+            .max_range_m = radar.chirp.max_range_m(),
             .n_samples = radar.chirp.n_samples,
             .n_rows = radar.chirps_per_frame * static_cast<int>(radar.rx.size())};
 }
@@ -127,7 +128,14 @@ AugmentStep step_of(const std::string& text) {
         value = format("{{ uniform = [{}, {}] }}", low, high);
     }
     Section section = Section::parse(format("kind = \"{}\"\n{} = {}\n", kind, key, value), where);
-    return read_kind<AugmentStep>(section, "kind");
+    try {
+        return read_kind<AugmentStep>(section, "kind");
+    } catch (const InputError& error) {
+        // Nobody but this function knows of lines.
+        const std::string told = error.what(), place = where + ":2:";
+        if (told.rfind(place, 0) != 0) throw;
+        throw InputError(where + ":" + told.substr(place.size()));
+    }
 }
 
 }  // namespace specula

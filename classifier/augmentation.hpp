@@ -71,6 +71,7 @@ struct RadarView {
     double bin_hz = 0.0;    ///< beat frequency of a bin
     double start_hz = 0.0;  ///< sent at the first sample; 0: the carrier's phase is drawn
     double first_pole_hz = 0.0, second_pole_hz = 0.0;  ///< of the IF high-pass
+    double max_range_m = 0.0;  ///< beyond, the receiver sees nothing, or elsewhere
     int n_samples = 0;                                 ///< per chirp, of the transform
     int n_rows = 1;     ///< chirps times RX, over which a descriptor is the mean
     int first_bin = 0;  ///< range bin of a descriptor's first value

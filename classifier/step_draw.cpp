@@ -19,6 +19,11 @@ StreamKey key_of(const AugmentStep& step, const StepDraw::Place& place) {
     return key;
 }
 
+/// Beyond, a tone is folded back or filtered away; 0: not known.
+double farthest_range_m(const RadarView& radar) {
+    return radar.max_range_m > 0.0 ? radar.max_range_m : 0.5 * radar.n_samples * radar.bin_m;
+}
+
 }  // namespace
 
 StepDraw::StepDraw(const AugmentStep& step, const RadarView& radar, const Place& place)
@@ -58,6 +63,11 @@ std::optional<Move> StepDraw::move(double range_m) {
             "step {}: {:.4g} mm would bring a sample at {:.4g} mm to within {} range bins of the "
             "radar, where leakage lies; draw shorter ways",
             kind_of(step_), value_ * 1e3, range_m * 1e3, first_moved_bin));
+    if (const double farthest_m = farthest_range_m(radar_); farthest_m > 0.0 && moved_m > farthest_m)
+        throw InputError(
+            format("step {}: {:.4g} mm would bring a sample at {:.4g} mm beyond the farthest range of "
+                   "the chirp, {:.4g} mm; draw shorter ways",
+                   kind_of(step_), value_ * 1e3, range_m * 1e3, farthest_m * 1e3));
     const double phase_rad = radar_.start_hz > 0.0
                                  ? two_pi * radar_.start_hz * 2.0 * value_ / speed_of_light_m_s
                                  : two_pi * stream_.uniform();

@@ -43,7 +43,8 @@ class StepDraw {
     /// What leakage and clutter add. Throws InputError where the range bin is not known.
     std::optional<Tone> tone();
     /// How shift and range move a sample that is `range_m` away. Throws InputError where the range
-    /// bin is not known, and where the sample would come to lie among leakage.
+    /// bin is not known, and where the sample would come to lie among leakage or beyond the chirp's
+    /// farthest range.
     std::optional<Move> move(double range_m);
 
   private:

@@ -1,5 +1,7 @@
 #include "sim/population.hpp"
 
+#include <cmath>
+
 #include "sim/core/constants.hpp"
 #include "sim/core/format.hpp"
 
@@ -9,9 +11,50 @@ namespace {
 
 constexpr int most_classes = 64;
 
+constexpr double most_below_zero = 0.02;  ///< share of a law
+
+/// Of a quantity that is never negative: draws below zero are folded back, which bends the law.
+/// @in  fail  throws, with a problem and a remedy
+template <typename Fail>
+void refuse_folded(const Distribution& law, const Fail& fail) {
+    const auto* normal = std::get_if<Distribution::Normal>(&law.law());
+    if (!normal || law.quantile(most_below_zero) >= 0.0) return;
+    const double below = 0.5 * std::erfc(normal->mean / (normal->sd * std::sqrt(2.0)));
+    fail(format("would be below zero in {:.0f} % of all draws, which are folded back",
+                100.0 * below),
+         format("keep that below {:.0f} %: a larger mean, a smaller deviation, or "
+                "{{ factor = [median, ratio] }}",
+                100.0 * most_below_zero));
+}
+
+void refuse_folded_laws(const Section& section, const SampleLaw& law) {
+    using Checked = std::pair<const char*, Distribution>;
+    for (const Checked& each : {Checked("thickness", law.thickness_m),
+                                Checked("roughness", law.roughness_m),
+                                Checked("correlation_length", law.correlation_m)})
+        refuse_folded(each.second, [&](const std::string& problem, const std::string& remedy) {
+            section.fail_quantity(each.first, Unit::length, problem, remedy);
+        });
+    for (const Checked& each : {Checked("permittivity_factor", law.permittivity_factor),
+                                Checked("loss_factor", law.loss_factor)})
+        refuse_folded(each.second, [&](const std::string& problem, const std::string& remedy) {
+            section.fail(each.first, problem, remedy);
+        });
+}
+
+/// A name goes into tables, lists and file names of reports.
+void refuse_control_characters(const Section& section, const std::string& name) {
+    constexpr unsigned char first_printed = ' ', rub_out = 0x7f;
+    for (const unsigned char c : name)
+        if (c < first_printed || c == rub_out)
+            section.fail("name", "holds a line break or another control character",
+                         "use letters, digits and spaces");
+}
+
 SampleLaw read_class(Section section, const Sample& common, const Catalogue& catalogue) {
     SampleLaw law;
     law.name = section.text("name");
+    refuse_control_characters(section, law.name);
     law.nominal = common;
     law.nominal.material = catalogue.material_name(section, "material");
     law.thickness_m = section.distribution("thickness", Unit::length, Range::inside(0.0, 1.0));
@@ -22,6 +65,7 @@ SampleLaw read_class(Section section, const Sample& common, const Catalogue& cat
                                              Range::between(1e-5, 0.1), law.correlation_m);
     law.permittivity_factor = section.factor("permittivity_factor", Range::inside(0.5, 2.0), 1.0);
     law.loss_factor = section.factor("loss_factor", Range::inside(0.1, 10.0), 1.0);
+    refuse_folded_laws(section, law);
     section.finish();
     return law;
 }

@@ -7,12 +7,14 @@
 
 #include <atomic>
 #include <cerrno>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <string>
 #include <vector>
 
 #include "sim/core/error.hpp"
+#include "sim/core/new_file.hpp"
 
 namespace specula {
 
@@ -109,6 +111,28 @@ void sync_folder(const std::filesystem::path& folder) {
     if (result == -1 && error != EINVAL) fail(folder, "cannot bring to the disk", error);
 }
 
+/// Brings a finished file to the disk.
+void sync_content(const std::filesystem::path& file) {
+    const int descriptor =
+        uninterrupted([&] { return ::open(file.c_str(), O_RDONLY | O_CLOEXEC); });
+    if (descriptor == -1) fail(file, "cannot open", errno);
+    const int result = uninterrupted([&] { return ::fsync(descriptor); });
+    const int error = errno;
+    ::close(descriptor);
+    if (result == -1) fail(file, "cannot bring to the disk", error);
+}
+
+/// rename() that replaces nothing; false with errno where it does not succeed.
+bool rename_to_new(const std::filesystem::path& from, const std::filesystem::path& to) {
+    if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0)
+        return true;
+    // Some network file systems know no such flag, but links, which replace nothing either.
+    if (errno != EINVAL && errno != ENOSYS) return false;
+    if (::link(from.c_str(), to.c_str()) == -1) return false;
+    ::unlink(from.c_str());
+    return true;
+}
+
 std::filesystem::path folder_of(const std::filesystem::path& file) {
     return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
 }
@@ -183,14 +207,20 @@ void write_file_atomically(const std::filesystem::path& file, std::string_view c
 
 void publish_file(const std::filesystem::path& draft, const std::filesystem::path& file) {
     const std::filesystem::path place = place_of_file(file);
-    const int descriptor =
-        uninterrupted([&] { return ::open(draft.c_str(), O_RDONLY | O_CLOEXEC); });
-    if (descriptor == -1) fail(draft, "cannot open", errno);
-    const int result = uninterrupted([&] { return ::fsync(descriptor); });
-    const int error = errno;
-    ::close(descriptor);
-    if (result == -1) fail(draft, "cannot bring to the disk", error);
+    sync_content(draft);
     if (::rename(draft.c_str(), place.c_str()) == -1) fail(place, "cannot replace", errno);
+    sync_folder(folder_of(place));
+}
+
+void publish_new_file(const std::filesystem::path& draft, const std::filesystem::path& file) {
+    const std::filesystem::path place = place_of_file(file);
+    sync_content(draft);
+    if (!rename_to_new(draft, place)) {
+        if (errno != EEXIST) fail(place, "cannot create", errno);
+        throw InputError(file.string() +
+                         ": was made by another process meanwhile, and stays as that made it; give "
+                         "another name");
+    }
     sync_folder(folder_of(place));
 }
 

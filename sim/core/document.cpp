@@ -164,7 +164,8 @@ std::vector<double> Section::quantities(const std::string& name, Unit unit, std:
 std::vector<std::string> Section::texts(const std::string& key) {
     const toml::node& node = table_->need(key);
     const toml::array* array = node.as_array();
-    if (!array || array->empty()) table_->fail(key, &node, "is not a list", "write [\"a\", \"b\"]");
+    if (!array) table_->fail(key, &node, "is not a list", "write [\"a\", \"b\"]");
+    if (array->empty()) table_->fail(key, &node, "is empty", "write [\"a\", \"b\"]");
     std::vector<std::string> values;
     for (const toml::node& item : *array) {
         if (!item.is_string())

@@ -31,7 +31,12 @@ Distribution Section::Table::checked_law(const Named& named, const Range& range)
     const toml::table* law = named.node->as_table();
     if (!law) return checked_number(named, *named.node, range);
     if (law->size() != 1) fail(named.key, named.node, "is not a value or a law", laws_there_are);
-    const LawEntry entry = entry_of(named, *law, std::string(law->begin()->first.str()));
+    return checked_entry(named, std::string(law->begin()->first.str()), range);
+}
+
+Distribution Section::Table::checked_entry(const Named& named, const std::string& name,
+                                           const Range& range) const {
+    const LawEntry entry = entry_of(named, *named.node->as_table(), name);
     const Named& inner = entry.numbers;
     if (entry.name == "uniform") {
         const auto v = checked_numbers(inner, 2, range);
@@ -63,7 +68,10 @@ Distribution Section::Table::checked_law(const Named& named, const Range& range)
     }
     if (entry.name == "choice")
         return Distribution(Distribution::Choice{checked_numbers(inner, 0, range)});
-    fail(named.key, named.node, "is not a value or a law", laws_there_are);
+    const std::string near =
+        nearest_word(name, {"uniform", "normal", "factor", "log_normal", "choice"});
+    fail(inner.key, inner.node, "is not a value or a law",
+         (near.empty() ? "" : "did you mean " + near + "? ") + laws_there_are);
 }
 
 SampledLaw Section::Table::checked_sampled_law(const Named& named, const Range& range) const {
@@ -75,21 +83,19 @@ SampledLaw Section::Table::checked_sampled_law(const Named& named, const Range& 
         const auto values = checked_numbers(entry_of(named, *law, "grid").numbers, 0, range);
         return {Distribution(Distribution::Choice{values}), Sampling::grid};
     }
-    toml::table bare = *law;
-    bare.erase("sampling");
-    // The table without "sampling" is a copy, which knows no line: name the key's own.
-    const Named without{named.key, named.node, named.to_si, named.unit};
     const toml::node* sampling = law->get("sampling");
-    if (!sampling) return {checked_law(without, range)};
+    if (!sampling) return {checked_law(named, range)};
+    std::vector<std::string> names;
+    for (const auto& [key, node] : *law)
+        if (key.str() != "sampling") names.emplace_back(key.str());
+    if (names.size() != 1) fail(named.key, named.node, "is not a value or a law", laws_there_are);
     static const std::array<std::pair<const char*, Sampling>, 3> samplings{
         {{"random", Sampling::random},
          {"stratified", Sampling::stratified},
          {"quasi", Sampling::quasi}}};
     for (const auto& [name, kind] : samplings)
-        if (sampling->value_or(std::string()) == name) {
-            const Named inner{named.key, &bare, named.to_si, named.unit};
-            return {checked_law(inner, range), kind};
-        }
+        if (sampling->value_or(std::string()) == name)
+            return {checked_entry(named, names.front(), range), kind};
     fail(named.key + ".sampling", sampling, "is not known",
          "use \"random\", \"stratified\" or \"quasi\"");
 }

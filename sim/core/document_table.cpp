@@ -68,7 +68,7 @@ std::string described(const Range& range, double to_si, std::string_view unit) {
         std::string text = format("{:.{}g}", si / to_si, digits);
         while (digits < 17 && range.holds(si) && !range.holds(std::stod(text) * to_si))
             text = format("{:.{}g}", si / to_si, ++digits);
-        return text + (unit.empty() ? "" : " ") + std::string(unit);
+        return text + (unit.empty() ? "" : " ") + (unit == "db" ? "dB" : std::string(unit));
     };
     const bool has_min = std::isfinite(range.min), has_max = std::isfinite(range.max);
     const char* low = range.min_excluded ? "above " : "at least ";

@@ -49,6 +49,9 @@ struct Section::Table {
     std::vector<double> checked_numbers(const Named& named, std::size_t size,
                                         const Range& range) const;
     Distribution checked_law(const Named& named, const Range& range) const;
+    /// A law of this name in the table of `named`.
+    Distribution checked_entry(const Named& named, const std::string& name,
+                               const Range& range) const;
     SampledLaw checked_sampled_law(const Named& named, const Range& range) const;
 };
 

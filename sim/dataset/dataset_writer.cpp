@@ -137,9 +137,9 @@ class DatasetWriter::Streams {
         out_.set_text(group, name, text);
     }
 
-    std::string publish() {
+    void finish() {
         SPECULA_EXPECT(row_ == n_frames_);
-        const auto finish = [](auto& streams) {
+        const auto finish_all = [](auto& streams) {
             for (auto& stream : streams) stream.flush();
             streams.clear();
         };
@@ -148,16 +148,16 @@ class DatasetWriter::Streams {
             columns.clear();
         };
         adc_.clear();
-        finish(profile_);
-        finish(features_);
-        finish(probability_);
-        finish(hash_);
+        finish_all(profile_);
+        finish_all(features_);
+        finish_all(probability_);
+        finish_all(hash_);
         finish_columns(label_);
         finish_columns(ids_);
         finish_columns(truth_);
-        out_.publish();
-        return fingerprint_.text();
     }
+    Hdf5File& file() { return out_; }
+    std::string fingerprint() { return fingerprint_.text(); }
 
   private:
     template <typename T>
@@ -234,7 +234,15 @@ void DatasetWriter::set_group_text(const std::string& group, const std::string& 
 }
 
 std::string DatasetWriter::publish() {
-    return streams_->publish();
+    streams_->finish();
+    streams_->file().publish();
+    return streams_->fingerprint();
+}
+
+std::string DatasetWriter::publish_new() {
+    streams_->finish();
+    streams_->file().publish_new();
+    return streams_->fingerprint();
 }
 
 void write_dataset(const std::filesystem::path& file, const Dataset& dataset) {

@@ -52,6 +52,8 @@ class DatasetWriter {
     /// After the last frame: puts the file in place, whole and on the disk. Returns the fingerprint
     /// of all frames.
     std::string publish();
+    /// The same, but throws InputError where a file of that name appeared meanwhile, which stays.
+    std::string publish_new();
 
   private:
     class Streams;

@@ -8,6 +8,7 @@
 #include "sim/core/error.hpp"
 #include "sim/core/expect.hpp"
 #include "sim/core/format.hpp"
+#include "sim/core/new_file.hpp"
 #include "sim/dataset/hdf5_guard.hpp"
 #include "sim/dataset/hdf5_number.hpp"
 
@@ -244,11 +245,21 @@ double Hdf5File::number(const std::string& object, const std::string& name) cons
     return value;
 }
 
-void Hdf5File::publish() {
+void Hdf5File::close_draft() {
     const herr_t closed = H5Fclose(handle_);
     handle_ = -1;
     if (closed < 0) hdf5_write_failed(file_, "file");
+}
+
+void Hdf5File::publish() {
+    close_draft();
     publish_file(draft_, file_);
+    draft_.clear();
+}
+
+void Hdf5File::publish_new() {
+    close_draft();
+    publish_new_file(draft_, file_);
     draft_.clear();
 }
 

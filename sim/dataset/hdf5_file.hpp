@@ -65,8 +65,11 @@ class Hdf5File {
 
     /// Closes the file, brings it to the disk and puts it under its name. Throws SystemError.
     void publish();
+    /// The same, but throws InputError where a file of that name appeared meanwhile, which stays.
+    void publish_new();
 
   private:
+    void close_draft();
     Hdf5File(std::filesystem::path file, std::filesystem::path draft, std::int64_t handle)
         : file_(std::move(file)), draft_(std::move(draft)), handle_(handle) {}
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <fstream>
 
 #include "sim/core/error.hpp"
@@ -43,11 +44,28 @@ bool has_house_layout(hid_t table) {
     return n_filters >= 0;
 }
 
+/// What somebody appended is no part of HDF5's file, so that no checksum covers it. A superblock of
+/// version 2 or 3 tells the end: after signature, four bytes, and two addresses of eight.
+void check_hdf5_end(const std::filesystem::path& file) {
+    constexpr std::streamoff place = 28;
+    constexpr int bits_of_byte = 8;
+    std::array<unsigned char, sizeof(std::uint64_t)> bytes{};
+    std::ifstream in(file, std::ios::binary);
+    in.seekg(place).read(reinterpret_cast<char*>(bytes.data()), bytes.size());
+    if (!in) return;  // cut short: HDF5 says so
+    std::uint64_t end = 0;
+    for (std::size_t i = bytes.size(); i-- > 0;) end = end << bits_of_byte | bytes[i];
+    const std::uint64_t size = std::filesystem::file_size(file);
+    if (size > end)
+        hdf5_read_failed(file, "file",
+                         format("goes on for {} bytes after the end that it tells", size - end));
+}
+
 }  // namespace
 
 void check_hdf5_superblock(const std::filesystem::path& file) {
     constexpr std::array<char, 8> signature{'\x89', 'H', 'D', 'F', '\r', '\n', '\x1a', '\n'};
-    constexpr char oldest_with_checksum = 2;  // version of the superblock
+    constexpr char oldest_with_checksum = 2, newest_version = 3;  // of the superblock
     std::array<char, 9> head{};
     std::ifstream(file, std::ios::binary).read(head.data(), head.size());
     if (!std::equal(signature.begin(), signature.end(), head.begin()))
@@ -57,6 +75,7 @@ void check_hdf5_superblock(const std::filesystem::path& file) {
             "{}: file: is HDF5 of an old form without checksums, which this program never writes; "
             "if you trust it, h5repack --latest FILE NEW brings it into the new form",
             file.string()));
+    if (head.back() <= newest_version) check_hdf5_end(file);
 }
 
 bool is_house_hdf5_table(hid_t file, const std::string& name) {

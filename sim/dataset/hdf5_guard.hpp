@@ -8,7 +8,7 @@
 namespace specula {
 
 /// Throws InputError unless a file begins as those of the house format do: of HDF5 1.10 objects,
-/// every piece of which has a checksum. Older forms have none for their structure, so that damage
+/// every piece of which has a checksum; and ends where it says. Older forms have none for their structure, so that damage
 /// reaches code of HDF5's that does not expect it.
 void check_hdf5_superblock(const std::filesystem::path& file);
 

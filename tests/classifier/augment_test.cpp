@@ -279,6 +279,8 @@ TEST_CASE("steps that cannot be taken are refused by name", "[augment]") {
                                         {"gain", "--step gain: is no step"},
                                         {"gain=loud", "\"loud\" is no number"},
                                         {"noise=-1", "level_lsb = -1"},
+                                        {"noise=3:0", "--step noise=3:0: level_lsb.uniform"},
+                                        {"gain=500", "at least -60 dB and at most 60 dB"},
                                         {"noise=0:nan", "nan"},
                                         {"gain=1:", "\"\" is no number"}})
         CHECK(message_of([&, text = text] { return step_of(text); }).find(problem) !=

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "sim/core/error.hpp"
+#include "sim/core/new_file.hpp"
 #include "tests/check.hpp"
 #include "tests/classifier/temporary_folder.hpp"
 
@@ -210,6 +211,21 @@ TEST_CASE("drafts of ended processes go, those of living ones and other files st
     ::close(held);
     remove_abandoned_drafts(folder / "x.h5");
     CHECK(n_entries(folder.path()) == 4);
+}
+
+TEST_CASE("a new file never replaces one that appeared meanwhile", "[atomic file]") {
+    const TemporaryFolder folder;
+    const auto draft = folder / "x.h5.draft", file = folder / "x.h5";
+    std::ofstream(draft) << "mine";
+    std::ofstream(file) << "theirs";
+    CHECK(failure([&] { publish_new_file(draft, file); }).find("x.h5: was made by another process") !=
+          std::string::npos);
+    CHECK(content_of(file) == "theirs");
+    CHECK(content_of(draft) == "mine");
+    std::filesystem::remove(file);
+    publish_new_file(draft, file);
+    CHECK(content_of(file) == "mine");
+    CHECK(n_entries(folder.path()) == 1);
 }
 
 TEST_CASE("a link to what is not there yet is followed, not replaced", "[atomic file]") {

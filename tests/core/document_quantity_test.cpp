@@ -239,7 +239,10 @@ TEST_CASE("a law that is unknown, doubled or empty is told those that are", "[do
         "is not a value or a law; write a number, { uniform = [low, high] }, "
         "{ normal = [mean, sd] }, { factor = [median, ratio] }, "
         "{ log_normal = [median, sd of the logarithm] } or { choice = [values] }";
-    for (const char* value : {"{ gauss = [1, 2] }", "{}", "{ normal = [1, 2], factor = [1, 2] }"})
+    CHECK(law_error("{ gauss = [1, 2] }") == "x.toml:1: d_mm.gauss = [1, 2]: " + remedy);
+    CHECK(law_error("{ normla = [1, 2] }").find("; did you mean normal? write a number") !=
+          std::string::npos);
+    for (const char* value : {"{}", "{ normal = [1, 2], factor = [1, 2] }"})
         CHECK(law_error(value) == "x.toml:1: d_mm = {...}: " + remedy);
     CHECK(law_error("'thin'") ==
           "x.toml:1: d_mm = \"thin\": is not a number; "

@@ -82,6 +82,13 @@ TEST_CASE("a law that can draw what is impossible is refused by key and line", "
     CHECK(message_of([] {
               geometry("yaw_deg = { uniform = [9, 0], sampling = \"quasi\" }");
           }).rfind("geometry.toml:1: yaw_deg.uniform", 0) == 0);
+    CHECK(message_of([] {
+              geometry("\n\nyaw_deg = { unifrom = [0, 9], sampling = \"quasi\" }");
+          }).rfind("geometry.toml:3: yaw_deg.unifrom = [0, 9]: is not a value or a law; did you mean "
+                   "uniform?", 0) == 0);
+    CHECK(message_of([] {
+              geometry("\n\nyaw_deg = { uniform = [9, 0], sampling = \"quasi\" }");
+          }).rfind("geometry.toml:3: yaw_deg.uniform = [9, 0]: runs backwards", 0) == 0);
 }
 
 TEST_CASE("a dataset's sessions stand where the law says, and stay on a piece", "[sim]") {

@@ -118,6 +118,24 @@ TEST_CASE("classes of one name, of no material or too few are refused by line", 
                    "height"));
 }
 
+TEST_CASE("a law that lies below zero by more than 2 % is refused with its share", "[sim]") {
+    const auto with = [](const std::string& law) {
+        return replaced(two_classes, "thickness_mm = 18", "thickness_mm = " + law);
+    };
+    // One standard deviation above zero: Phi(-1) = 15.9 %.
+    CHECK(population_refusal(with("{ normal = [3.0, 3.0] }"))
+              .rfind("p.toml:15: class.thickness_mm = {...}: would be below zero in 16 % of all "
+                     "draws, which are folded back; keep that below 2 %", 0) == 0);
+    CHECK(population_in(with("{ normal = [3.0, 1.4] }")).classes.size() == 2);  // Phi(-2.14) = 1.6 %
+    CHECK(contains(population_refusal(with("18\nloss_factor = { normal = [1, 0.6] }")),
+                   "class.loss_factor = {...}: would be below zero in 5 %"));
+}
+
+TEST_CASE("a class name with a line break is refused", "[sim]") {
+    CHECK(contains(population_refusal(replaced(two_classes, "\"board\"", "\"bo\\nard\"")),
+                   "holds a line break or another control character"));
+}
+
 TEST_CASE("placements and frames without laws are all alike", "[sim]") {
     const Population population = population_in(two_classes);
     CHECK(population.session.height_m.spread() == 0.0);

@@ -13,6 +13,7 @@
 #include "sim/parallel.hpp"
 #include "tools/dataset/frame_blocks.hpp"
 #include "tools/generate/interruption.hpp"
+#include "tools/generate/new_folders.hpp"
 #include "tools/study/progress.hpp"
 
 namespace specula {
@@ -202,21 +203,9 @@ std::string column_name(const AugmentRequest& request, std::size_t step) {
                                   : "m");
 }
 
-}  // namespace
-
-std::string augment_dataset(const std::filesystem::path& data, const std::filesystem::path& out,
-                            const AugmentRequest& request) {
-    const DatasetReader reader(data);
-    check(reader.form(), data, request);
-    std::error_code ignored;
-    if (std::filesystem::equivalent(data, out, ignored))
-        throw InputError(out.string() + ": is the dataset itself; give --out another name");
-    place_of_file(out);  // refuses what is no file
-    // Somebody's recipe, a shard of the source, hours of work: none is told from an older output.
-    if (std::filesystem::exists(out, ignored))
-        throw InputError(out.string() + ": is there already; remove it or name another file");
-    const InterruptionWatch watch("stopped; nothing was written: run the same command again");
-    remove_abandoned_drafts(out);
+/// Returns the fingerprint.
+std::string write_augmented(const DatasetReader& reader, const std::filesystem::path& data,
+                            const std::filesystem::path& out, const AugmentRequest& request) {
     const CopyMaker maker(reader.form(), request);
     const Dataset form = form_after(reader.form(), request);
     const std::size_t n_steps = request.how.steps.size();
@@ -256,7 +245,25 @@ std::string augment_dataset(const std::filesystem::path& data, const std::filesy
             {column_name(request, step), std::string(unit_of(request.how.steps[step])),
              "what the step drew; 0 of frames themselves"},
             drawn[step]);
-    return writer.publish();
+    return writer.publish_new();
+}
+
+}  // namespace
+
+std::string augment_dataset(const std::filesystem::path& data, const std::filesystem::path& out,
+                            const AugmentRequest& request) {
+    const DatasetReader reader(data);
+    check(reader.form(), data, request);
+    std::error_code ignored;
+    if (std::filesystem::equivalent(data, out, ignored))
+        throw InputError(out.string() + ": is the dataset itself; give --out another name");
+    place_of_file(out);  // refuses what is no file
+    // Somebody's recipe, a shard of the source, hours of work: none is told from an older output.
+    if (std::filesystem::exists(out, ignored))
+        throw InputError(out.string() + ": is there already; remove it or name another file");
+    const InterruptionWatch watch("stopped; nothing was written: run the same command again");
+    remove_abandoned_drafts(out);
+    return with_folders_of(out, [&] { return write_augmented(reader, data, out, request); });
 }
 
 }  // namespace specula

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cstdlib>
 #include <ctime>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "sim/core/error.hpp"
@@ -179,6 +180,17 @@ Json license_of(const DocumentOptions& options) {
 std::string croissant_of(const std::filesystem::path& dataset, const DocumentOptions& options) {
     check_dataset(DatasetReader(dataset));
     return croissant_of_whole(dataset, options);
+}
+
+std::string documented_hash(const std::filesystem::path& dataset) {
+    std::ifstream in(document_files(dataset, dataset.parent_path()).croissant);
+    const Json document = Json::parse(in, nullptr, false);
+    if (!document.is_object() || !document.contains("distribution")) return "";
+    for (const Json& file : document["distribution"])
+        if (file.is_object() && file.value("contentUrl", Json()) == dataset.filename().string() &&
+            file.value("sha256", Json()).is_string())
+            return file["sha256"];
+    return "";
 }
 
 std::string croissant_mark(const std::filesystem::path& dataset) {

@@ -184,6 +184,7 @@ class Comparison {
         const auto attributes = a_.attributes(table);
         if (std::find(attributes.begin(), attributes.end(), "units") != attributes.end())
             found.unit = a_.attribute_text(table, "units");
+        if (found.unit == "1") found.unit.clear();  // a plain number has none to tell
         diff_.fields.push_back(found);
     }
 

@@ -32,6 +32,10 @@ std::string croissant_of_whole(const std::filesystem::path& dataset,
 std::string datasheet_title(const std::filesystem::path& dataset);
 std::string croissant_mark(const std::filesystem::path& dataset);
 
+/// The SHA-256 that the Croissant metadata beside a dataset tell of it; empty: none are there, or they
+/// are of another file.
+std::string documented_hash(const std::filesystem::path& dataset);
+
 /// Whether a dataset is the index of a folder of shards.
 bool is_shard_index(const std::filesystem::path& dataset);
 

@@ -46,7 +46,7 @@ Assembled assemble(const std::vector<FinishedShard>& shards, const fs::path& fil
         out.append(in.read_packed({0, in.n_frames()}));
         progress.done() += in.n_frames();
     }
-    return {n_frames, out.publish()};
+    return {n_frames, out.publish_new()};
 }
 
 Assembled index_shards(const std::vector<FinishedShard>& shards, const fs::path& folder) {

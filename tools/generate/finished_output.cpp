@@ -7,6 +7,7 @@
 #include "sim/dataset/fingerprint.hpp"
 #include "sim/dataset/sha256.hpp"
 #include "tools/dataset/dataset_check.hpp"
+#include "tools/dataset/dataset_documents.hpp"
 #include "tools/generate/generate.hpp"
 #include "tools/generate/shard_folder.hpp"
 
@@ -64,12 +65,27 @@ bool FinishedOutput::is_there(const std::string& recipe) const {
     place_of_file(file_);  // refuses what is no file
     if (!fs::exists(file_) || (keeps_shards_ && !shards_are_whole())) return false;
     const DatasetReader in = with_remedy(
-        "name another output, or remove it if it is a damaged one of this command",
+        has_document() ? "remove it, and the same command makes it again"
+                       : "name another output, or remove it if it is a damaged one of this command",
         [&] { return DatasetReader(file_); });
     check_same_recipe(file_, in.form().origin.recipe, recipe);
+    check_document();
     with_remedy("remove it, and the same command makes it again",
                 [&] { check_frames(in, keeps_shards_); });
     return true;
+}
+
+bool FinishedOutput::has_document() const {
+    return !documented_hash(file_).empty();
+}
+
+void FinishedOutput::check_document() const {
+    const std::string told = documented_hash(file_);
+    if (told.empty() || told == sha256_of_file(file_)) return;
+    throw InputError(format(
+        "{}: is damaged: its SHA-256 is not the one that {} tells; remove it, and the same command "
+        "makes it again",
+        file_.string(), document_files(file_, "").croissant.string()));
 }
 
 bool FinishedOutput::shards_are_whole() const {

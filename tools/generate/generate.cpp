@@ -13,6 +13,7 @@
 #include "tools/generate/assembly.hpp"
 #include "tools/generate/finished_output.hpp"
 #include "tools/generate/interruption.hpp"
+#include "tools/generate/new_folders.hpp"
 #include "tools/generate/preflight.hpp"
 #include "tools/generate/record_session.hpp"
 #include "tools/study/progress.hpp"
@@ -106,23 +107,14 @@ void record_missing(const Recipe& recipe, const GenerateRequest& request, const 
     }
 }
 
-/// The folders that a path needs and that are not there yet.
-class NewFolders {
-  public:
-    explicit NewFolders(fs::path folder) {
-        if (!folder.has_filename()) folder = folder.parent_path();
-        for (; !folder.empty() && !fs::exists(folder); folder = folder.parent_path())
-            missing_.push_back(folder);
-    }
-    /// Once they were made: those that hold nothing.
-    void remove_empty() const {
-        std::error_code holds_something;
-        for (const fs::path& folder : missing_) fs::remove(folder, holds_something);
-    }
-
-  private:
-    std::vector<fs::path> missing_;  ///< the innermost first
-};
+/// Names files that look like shards of the run and are none.
+void warn_of_strays(const GenerateRequest& request, const ShardPlan& plan) {
+    const fs::path folder = FinishedOutput(request.out).shards();
+    for (const fs::path& file : stray_shards(folder, plan))
+        if (request.say)
+            request.say(format("{}: is no part of this run and is passed over; remove it",
+                               file.string()));
+}
 
 /// The finished file: from its shards, which it takes the place of.
 void finish_output(const GenerateRequest& request, ShardFolder& folder, GenerateReport& report) {
@@ -161,6 +153,8 @@ GenerateReport run_generate(const Recipe& recipe, const GenerateRequest& request
         report.file = output.file();
         report.fingerprint = output.fingerprint();
         report.bytes = output.bytes();
+        report.is_undocumented = !output.has_document();
+        if (is_folder_output(request.out)) warn_of_strays(request, plan_shards(recipe));
         output.remove_leftovers();
     } else {
         const InterruptionWatch watch(
@@ -168,6 +162,7 @@ GenerateReport run_generate(const Recipe& recipe, const GenerateRequest& request
         const NewFolders made(output.shards());
         ShardFolder folder(output.shards(), recipe, request.share);
         output.remove_drafts(request.share);
+        warn_of_strays(request, folder.plan());
         const auto missing = folder.missing();
         if (!missing.empty()) {
             try {

@@ -21,6 +21,7 @@ struct GenerateReport {
     std::string fingerprint;           ///< of all frames; empty: of a share's shards
     std::size_t n_shards = 0;          ///< of the whole run
     std::size_t n_shards_finished = 0;
+    bool is_undocumented = false;  ///< a finished file was there, and no document told its SHA-256
 };
 
 /// Simulates a recipe's dataset into shards, taking up what an earlier call left, and makes one

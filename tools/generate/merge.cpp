@@ -9,6 +9,7 @@
 #include "tools/generate/assembly.hpp"
 #include "tools/generate/generate.hpp"
 #include "tools/generate/interruption.hpp"
+#include "tools/generate/new_folders.hpp"
 
 namespace specula {
 
@@ -21,11 +22,27 @@ struct Part {
     SessionSpan span;
 };
 
-bool is_shard(const fs::path& file) {
-    return file.filename().string().rfind("shard-", 0) == 0 && file.extension() == ".h5";
+/// How the run was parted, as far as its shards tell.
+ShardPlan plan_of(const std::vector<Part>& parts) {
+    ShardPlan plan;
+    for (const Part& part : parts) {
+        plan.n_sessions = std::max(plan.n_sessions, part.span.n_in_all);
+        plan.sessions_per_shard = std::max(plan.sessions_per_shard, part.span.count);
+    }
+    return plan;
 }
 
-void add_parts(const fs::path& folder, std::vector<Part>& parts) {
+/// Refuses a file of which no manifest knows: a shard of the run by its name, or none.
+[[noreturn]] void fail_unlisted(const fs::path& file, const std::vector<Part>& parts) {
+    const auto strays = stray_shards(file.parent_path(), plan_of(parts));
+    const bool is_stray =
+        !parts.empty() && std::find(strays.begin(), strays.end(), file) != strays.end();
+    throw InputError(file.string() +
+                     (is_stray ? ": is no part of this run: remove it"
+                               : ": no manifest tells its hash; run its generate command again"));
+}
+
+void add_parts(const fs::path& folder, std::vector<Part>& parts, std::vector<fs::path>& unlisted) {
     if (!fs::is_directory(folder))
         throw InputError(folder.string() +
                          ": no such folder; name the folders that "
@@ -34,10 +51,10 @@ void add_parts(const fs::path& folder, std::vector<Part>& parts) {
     for (const auto& entry : fs::directory_iterator(folder)) {
         if (!is_shard(entry.path())) continue;
         const auto hash = hashes.find(entry.path().filename().string());
-        if (hash == hashes.end())
-            throw InputError(entry.path().string() +
-                             ": no manifest tells its hash; run its "
-                             "generate command again");
+        if (hash == hashes.end()) {
+            unlisted.push_back(entry.path());
+            continue;
+        }
         const DatasetReader in(entry.path());
         if (!in.shard())
             throw InputError(entry.path().string() +
@@ -103,7 +120,10 @@ void check_tiling(const std::vector<Part>& parts) {
 
 MergeReport run_merge(const MergeRequest& request) {
     std::vector<Part> parts;
-    for (const fs::path& folder : request.folders) add_parts(folder, parts);
+    std::vector<fs::path> unlisted;
+    for (const fs::path& folder : request.folders) add_parts(folder, parts, unlisted);
+    if (!unlisted.empty())
+        fail_unlisted(*std::min_element(unlisted.begin(), unlisted.end()), parts);
     if (parts.empty())
         throw InputError(request.folders.front().string() +
                          ": holds no shards; name the folders that specula generate --shard wrote");
@@ -128,8 +148,9 @@ MergeReport run_merge(const MergeRequest& request) {
         "stopped; nothing was written, the shards are as they were: run the same command again");
     remove_abandoned_drafts(file);
     if (keeps_shards) remove_abandoned_drafts(request.out / "manifest.sha256");
-    const Assembled made =
-        keeps_shards ? index_shards(shards, request.out) : assemble(shards, request.out);
+    const Assembled made = with_folders_of(file, [&] {
+        return keeps_shards ? index_shards(shards, request.out) : assemble(shards, request.out);
+    });
     MergeReport report{.file = file,
                        .n_shards = shards.size(),
                        .n_frames = made.n_frames,

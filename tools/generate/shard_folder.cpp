@@ -19,6 +19,15 @@ void make_folder(const fs::path& folder) {
     if (error) throw SystemError(folder.string() + ": cannot create: " + error.message());
 }
 
+DatasetReader opened(const fs::path& shard) {
+    try {
+        return DatasetReader(shard);
+    } catch (const InputError& error) {
+        throw InputError(
+            format("{}; remove it, and the same command makes it again", error.what()));
+    }
+}
+
 }  // namespace
 
 void check_same_recipe(const fs::path& file, const std::string& there, const std::string& here) {
@@ -71,7 +80,7 @@ void ShardFolder::find_finished() {
             if (hash != told.end()) hashes_.insert(*hash);
             continue;
         }
-        const DatasetReader in(file_of(shard));
+        const DatasetReader in = opened(file_of(shard));
         check_same_recipe(file_of(shard), in.form().origin.recipe, recipe_.text);
         if (in.shard() != plan_.span(shard))
             throw InputError(file_of(shard).string() +

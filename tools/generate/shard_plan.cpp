@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <set>
 
 #include "sim/core/error.hpp"
 #include "sim/core/format.hpp"
@@ -88,6 +89,23 @@ ShardPlan plan_shards(const Recipe& recipe) {
 
 std::string shard_name(std::size_t shard) {
     return format("shard-{:06}.h5", shard);
+}
+
+bool is_shard(const std::filesystem::path& file) {
+    return file.filename().string().rfind("shard-", 0) == 0 && file.extension() == ".h5";
+}
+
+std::vector<std::filesystem::path> stray_shards(const std::filesystem::path& folder,
+                                                const ShardPlan& plan) {
+    std::set<std::string> names;
+    for (std::size_t shard = 0; shard < plan.n_shards(); ++shard) names.insert(shard_name(shard));
+    std::vector<std::filesystem::path> strays;
+    std::error_code not_there;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, not_there))
+        if (is_shard(entry.path()) && !names.contains(entry.path().filename().string()))
+            strays.push_back(entry.path());
+    std::sort(strays.begin(), strays.end());
+    return strays;
 }
 
 Share read_share(const std::string& text, const Variable& variable) {

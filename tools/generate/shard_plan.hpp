@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -26,6 +27,13 @@ ShardPlan plan_shards(const Recipe& recipe);
 
 /// "shard-000012.h5".
 std::string shard_name(std::size_t shard);
+/// Whether a file looks like a shard: shard-*.h5.
+bool is_shard(const std::filesystem::path& file);
+
+/// Files of a folder, there or not, that look like shards and whose name none of the plan has, in
+/// the order of their names.
+std::vector<std::filesystem::path> stray_shards(const std::filesystem::path& folder,
+                                                const ShardPlan& plan);
 
 /// Which shards a process makes: those whose number leaves `index` when divided by `count`.
 struct Share {

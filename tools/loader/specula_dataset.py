@@ -10,17 +10,18 @@ class SpeculaDataset:
     """Map-style: item i is (values, label); every worker process opens the file for itself.
 
     table  "adc" (chirp, rx, sample), "profile" (rx, bin) or "features" (feature)
-    rows   indices of the frames to see, e.g. from split(); default all
+    rows   indices of the frames to see, or a mask over all of them; default all
     """
 
     def __init__(self, path, table="adc", rows=None):
-        self.path, self.table, self._file = path, table, None
+        self.path, self.table, self._file = os.path.abspath(path), table, None
         with h5py.File(path, "r") as file:
             self.labels = file["label"][:].astype(np.int64)
             self.groups = {name: ids[:] for name, ids in file["group"].items()}
             self.class_names = [n.decode() if isinstance(n, bytes) else n
                                 for n in file.attrs["class_names"]]
-        self.rows = np.arange(len(self.labels)) if rows is None else np.asarray(rows)
+        every = np.arange(len(self.labels))
+        self.rows = every if rows is None else every[rows if hasattr(rows, "dtype") else list(rows)]
 
     def __getstate__(self):  # an open file goes through neither fork nor pickle
         return {**self.__dict__, "_file": None}

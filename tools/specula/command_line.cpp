@@ -154,10 +154,11 @@ std::string usage_problem(const CLI::App& program, const CLI::ParseError& error,
 void refuse_empty_outputs(CLI::App& program) {
     for (CLI::App* command : program.get_subcommands({})) {
         refuse_empty_outputs(*command);
-        if (CLI::Option* out = command->get_option_no_throw("--out"))
-            out->check([](const std::string& name) {
-                return name.empty() ? std::string("is empty; name a file or a folder") : "";
-            });
+        for (const char* name : {"--out", "--figure"})
+            if (CLI::Option* out = command->get_option_no_throw(name))
+                out->check([](const std::string& given) {
+                    return given.empty() ? std::string("is empty; name a file or a folder") : "";
+                });
     }
 }
 
@@ -279,6 +280,9 @@ int run_program(int argc, char** argv) {
     } catch (const InputError& error) {
         complain(error.what());
         return 2;
+    } catch (const std::filesystem::filesystem_error& error) {
+        complain(error.path1().string() + ": " + error.code().message() + "; give another name");
+        return error.code() == std::errc::filename_too_long ? 2 : 1;
     } catch (const std::bad_alloc&) {
         complain("out of memory; run fewer worlds or sessions at once");
         return 1;

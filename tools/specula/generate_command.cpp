@@ -37,11 +37,10 @@ std::string environment(const std::string& name) {
     return value ? value : "";
 }
 
-void print_report(const GenerateReport& report, const GenerateArguments& arguments,
-                  const fs::path& out) {
+void print_report(const GenerateReport& report, const Share& share, const fs::path& out) {
     if (report.file.empty()) {
-        std::printf("Share %s is done; of the whole run, %zu of %zu shards are in %s\n",
-                    arguments.share.c_str(), report.n_shards_finished, report.n_shards,
+        std::printf("Share %zu/%zu is done; of the whole run, %zu of %zu shards are in %s\n",
+                    share.index, share.count, report.n_shards_finished, report.n_shards,
                     is_folder_output(out) ? out.c_str() : (out.string() + ".parts").c_str());
         std::printf("When all shares are: specula merge %s -o %s\n",
                     is_folder_output(out) ? out.c_str() : (out.string() + ".parts").c_str(),
@@ -49,6 +48,11 @@ void print_report(const GenerateReport& report, const GenerateArguments& argumen
         return;
     }
     if (report.n_recorded == 0) std::printf("Everything was recorded already.\n");
+    if (report.is_undocumented)
+        std::printf(
+            "No Croissant metadata beside it told its SHA-256: codes, profiles, features and labels "
+            "were held against the hash of each frame, /truth and /group against HDF5's checksums "
+            "alone.\n");
     std::printf("Wrote %s: %zu frames, %s", report.file.c_str(), report.n_frames,
                 bytes_text(report.bytes).c_str());
     if (report.n_recorded > 0)
@@ -78,7 +82,7 @@ void generate_command(const GenerateArguments& arguments, const Catalogue& catal
     const GenerateReport report =
         run_generate(recipe, {.out = out, .share = share, .threads = arguments.threads, .say = say},
                      catalogue.materials);
-    print_report(report, arguments, out);
+    print_report(report, share, out);
     if (!report.file.empty()) describe_written(report.file, arguments.threads);
 }
 

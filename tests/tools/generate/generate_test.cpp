@@ -98,6 +98,36 @@ TEST_CASE("shards that are there are kept, drafts go, and the end is the same", 
     CHECK(std::distance(fs::directory_iterator(folder.path()), {}) == 1);
 }
 
+TEST_CASE("a shard cut short is named with what to do, one that is no part of the run with its name",
+          "[generate]") {
+    const TemporaryFolder folder;
+    const fs::path out = folder / "a.h5", parts = folder / "a.h5.parts";
+    run(out, {0, 2});
+    const fs::path shard = parts / "shard-000002.h5", stray = parts / "shard-000009.h5";
+    fs::copy_file(parts / "shard-000000.h5", stray);
+    const std::string said = [&] {
+        std::string lines;
+        run_generate(reference().recipe,
+                     {.out = out,
+                      .share = {0, 2},
+                      .threads = 1,
+                      .say = [&](const std::string& line) { lines += line + "\n"; }},
+                     own_catalogue().materials);
+        return lines;
+    }();
+    CHECK(said == stray.string() + ": is no part of this run and is passed over; remove it\n");
+    CHECK(message_of([&] { return run_merge({{parts}, out}); }) ==
+          stray.string() + ": is no part of this run: remove it");
+    fs::resize_file(shard, fs::file_size(shard) / 2);
+    const std::string message = message_of([&] { return run(out, {0, 2}); });
+    INFO(message);
+    CHECK(message.rfind(shard.string() + ": ", 0) == 0);
+    CHECK(message.find("; remove it, and the same command makes it again") != std::string::npos);
+    fs::remove(shard);
+    run(out);
+    CHECK(bytes_of(out) == reference().bytes);
+}
+
 TEST_CASE("a finished file is left alone, another recipe's never overwritten", "[generate]") {
     const TemporaryFolder folder;
     fs::copy_file(reference().report.file, folder / "a.h5");

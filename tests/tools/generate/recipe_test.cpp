@@ -90,7 +90,7 @@ TEST_CASE("forms that do not exist are refused with those that do", "[generate]"
 TEST_CASE("an empty list of forms is told once", "[generate]") {
     const SmallRecipe small(with(small_recipe_text, "[\"adc\", \"features\"]", "[]"));
     const std::string message = message_of([&] { return small.read(); });
-    CHECK(message.find("small.toml:6: store = []: is not a list") != std::string::npos);
+    CHECK(message.find("small.toml:6: store = []: is empty") != std::string::npos);
     CHECK(message.find("small.toml", message.find("small.toml") + 1) == std::string::npos);
 }
 

@@ -1,6 +1,7 @@
 """loader_check.py LOADER_FOLDER DATASET: what the loader gives is what the file holds."""
 
 import multiprocessing
+import os
 import pickle
 import sys
 
@@ -27,6 +28,7 @@ def in_workers(method, dataset):
 
 def main():
     path = sys.argv[2]
+    here = os.getcwd()
     dataset = SpeculaDataset(path)
     with h5py.File(path) as file:
         adc, label = file["adc"][:], file["label"][:]
@@ -37,6 +39,20 @@ def main():
         assert values.dtype == np.float32 and np.array_equal(values, adc[i]), i
         assert number == label[i] and 0 <= number < len(dataset.class_names)
     assert pickle.loads(pickle.dumps(dataset))[1][0].shape == adc.shape[1:]
+
+    mask = np.arange(len(dataset)) % 3 == 0
+    for rows in (mask, list(mask), np.flatnonzero(mask), tuple(np.flatnonzero(mask))):
+        assert SpeculaDataset(path, rows=rows).rows.tolist() == np.flatnonzero(mask).tolist()
+    assert len(SpeculaDataset(path, rows=[])) == 0
+    for rows in (mask[1:], [len(dataset)]):
+        try:
+            SpeculaDataset(path, rows=rows)
+        except IndexError:
+            continue
+        raise AssertionError("rows that the file does not have")
+    os.chdir("/")  # as a worker may be elsewhere
+    assert np.array_equal(dataset[0][0], adc[0])
+    os.chdir(here)
 
     training, held = dataset.split(share=0.5)
     assert len(training) + len(held) == len(dataset) and len(held) > 0 and len(training) > 0

@@ -175,15 +175,18 @@ TEST_CASE("augment takes a recipe, features alone, and says what it cannot do",
           {{"--recipe", "bad.toml"}, "bad.toml:3: step.gain_db = 99"},
           {{}, "give either --recipe or one --step or more"},
           {{"--step", "range=-400"}, "to within 3 range bins"},
+          {{"--step", "range=5000"}, "beyond the farthest range of the chirp"},
           {{"--step", "gain=1", "--radar", "nobody"}, "radar = \"nobody\": is not known"}}) {
-        std::vector<std::string> all{"augment", "a.h5", "-o", "none.h5"};
+        std::vector<std::string> all{"augment", "a.h5", "-o", "new/none.h5"};
         all.insert(all.end(), arguments.begin(), arguments.end());
         const Ended bad = bench.run(all);
         INFO(bad.errors);
         CHECK(bad.status == 2);
         CHECK(contains(bad.errors, problem));
-        CHECK_FALSE(std::filesystem::exists(bench.folder / "none.h5"));
+        CHECK_FALSE(std::filesystem::exists(bench.folder / "new"));
     }
+    CHECK(bench.run({"augment", "a.h5", "-o", "new/deep/b.h5", "--step", "gain=1"}).status == 0);
+    CHECK(std::filesystem::exists(bench.folder / "new/deep/b.h5"));
     CHECK(contains(bench.run({"augment", "a.h5", "-o", "a.h5", "--step", "gain=1"}).errors,
                    "a.h5: is the dataset itself"));
     std::filesystem::copy_file(bench.folder / "a.h5", bench.folder / "taken.h5");
@@ -204,6 +207,7 @@ TEST_CASE("a picture in a format that nobody writes is refused before the file i
         CHECK_FALSE(std::filesystem::exists(bench.folder / name));
     }
     CHECK(bench.run({"show", "plexiglass", "--figure", "x.png"}).status == 2);
+    CHECK(contains(bench.run({"show", "a.h5", "--figure", ""}).errors, "--figure: is empty; name a"));
     CHECK(bench.run({"show", "a.h5", "--figure", "v1.2"}).status == 0);  // a folder
     CHECK(std::filesystem::is_directory(bench.folder / "v1.2"));
 }

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 
 #include "sim/dataset/dataset.hpp"
 #include "sim/dataset/sha256.hpp"
@@ -35,6 +37,28 @@ TEST_CASE("generate says what it will take, writes, and finds its work done the 
     CHECK(contains(again.output, fingerprint));
     CHECK_FALSE(contains(again.output, "Beside it"));  // they are of these very bytes
 
+    // What the document tells of the file is evidence: it is neither overlooked nor rewritten.
+    const std::string hash = sha256_of_file(folder / "a.h5");
+    std::string json = content_of(folder / "a.croissant.json");
+    json.replace(json.find(hash), 4, hash.substr(0, 4) == "0000" ? "1111" : "0000");
+    std::ofstream(folder / "a.croissant.json") << json;
+    const Ended damaged = specula_in(folder.path(), command);
+    CHECK(damaged.status == 2);
+    CHECK(damaged.errors ==
+          "specula: error: a.h5: is damaged: its SHA-256 is not the one that a.croissant.json tells; "
+          "remove it, and the same command makes it again\n");
+    CHECK(content_of(folder / "a.croissant.json") == json);
+    std::filesystem::remove(folder / "a.croissant.json");
+    CHECK(contains(specula_in(folder.path(), command).output,
+                   "No Croissant metadata beside it told its SHA-256"));
+    const std::string whole = content_of(folder / "a.h5");
+    std::ofstream(folder / "a.h5", std::ios::app) << "junk";
+    const Ended longer = specula_in(folder.path(), command);
+    CHECK(longer.status == 2);
+    CHECK(contains(longer.errors, "a.h5: file: goes on for 4 bytes after the end that it tells"));
+    CHECK(contains(longer.errors, "remove it, and the same command makes it again"));
+    std::ofstream(folder / "a.h5", std::ios::trunc) << whole;
+
     std::vector<std::string> other = command;
     other.insert(other.end(), {"--seed", "4"});
     const Ended refused = specula_in(folder.path(), other);
@@ -52,7 +76,11 @@ TEST_CASE("shares print the command that merges them, and merge makes the file",
         INFO(ended.errors);
         CHECK(ended.status == 0);
         CHECK(contains(ended.output, "specula merge a.h5.parts -o a.h5"));
+        CHECK(contains(ended.output, "Share " + share + " is done"));
     }
+    const Ended deep = specula_in(folder.path(), {"merge", "a.h5.parts", "-o", "new/deep/b.h5"});
+    INFO(deep.errors);
+    CHECK(deep.status == 0);
     const Ended merged = specula_in(folder.path(), {"merge", "a.h5.parts", "-o", "a.h5"});
     INFO(merged.errors);
     CHECK(merged.status == 0);
@@ -83,6 +111,7 @@ TEST_CASE("the documents of a folder name its shards and their hashes", "[progra
 
 TEST_CASE("what generate cannot do is told in one line that says what would do", "[program]") {
     const TemporaryFolder folder;
+    const std::string too_long(300, 'a');
     struct Case {
         std::vector<std::string> arguments;
         std::string message;
@@ -95,6 +124,7 @@ TEST_CASE("what generate cannot do is told in one line that says what would do",
              {{"generate", "paper", "--store", "adc,features,adc", "-o", "a.h5"}, "\"adc\" twice"},
              {{"generate", "none.toml", "-o", "a.h5"}, "none.toml: "},
              {{"merge", "nowhere", "-o", "a.h5"}, "nowhere: no such folder"},
+             {{"generate", "paper", "-o", too_long}, too_long + ": File name too long; give another"},
              {{"merge", ".", "-o", "a.h5"}, ".: holds no shards"}}) {
         const Ended ended = specula_in(folder.path(), arguments);
         INFO(ended.errors);
