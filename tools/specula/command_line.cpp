@@ -64,7 +64,7 @@ void add_study(CLI::App& program, StudyArguments& arguments) {
         command->add_flag("--quick", arguments.quick, "the experiment's small version, about 10 s");
     command
         ->add_flag("--full", arguments.full,
-                   "its large version: more worlds, trainings and assumptions, some eight minutes")
+                   "its large version: more worlds, trainings and assumptions, some five minutes")
         ->excludes(quick);
 }
 
