@@ -25,13 +25,13 @@ class NewFolders {
     std::vector<std::filesystem::path> missing_;  ///< the innermost first
 };
 
-/// Does work that writes `file`: makes the folders that it needs before, and removes them again where
-/// the work throws.
+/// Does work that writes `file`: finds out before whether the place takes it, makes its folders, and
+/// removes them again where the work throws.
 template <typename Work>
 auto with_folders_of(const std::filesystem::path& file, const Work& work) {
     const NewFolders made(file.parent_path());
     try {
-        if (file.has_parent_path()) make_output_folder(file.parent_path());
+        check_output_place(file);
         return work();
     } catch (...) {
         made.remove_empty();

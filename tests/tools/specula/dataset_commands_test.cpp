@@ -186,6 +186,10 @@ TEST_CASE("augment takes a recipe, features alone, and says what it cannot do",
         CHECK_FALSE(std::filesystem::exists(bench.folder / "new"));
     }
     CHECK(bench.run({"augment", "a.h5", "-o", "new/deep/b.h5", "--step", "gain=1"}).status == 0);
+    const Ended too_long =
+        bench.run({"augment", "a.h5", "-o", std::string(300, 'x'), "--step", "gain=1"});
+    CHECK(too_long.status == 2);
+    CHECK(contains(too_long.errors, "xx: cannot create: File name too long; give another place"));
     CHECK(std::filesystem::exists(bench.folder / "new/deep/b.h5"));
     CHECK(contains(bench.run({"augment", "a.h5", "-o", "a.h5", "--step", "gain=1"}).errors,
                    "a.h5: is the dataset itself"));
