@@ -1,11 +1,14 @@
 #include "tools/serve/listen_socket.hpp"
 
 #include <arpa/inet.h>
+#include <ifaddrs.h>
+#include <net/if.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
+#include <memory>
 
 #include "sim/core/error.hpp"
 #include "sim/core/format.hpp"
@@ -38,6 +41,26 @@ socklen_t parse(const ListenAddress& where, SocketAddress& address) {
     return good ? sizeof address.v4 : 0;
 }
 
+bool is_any(const SocketAddress& address) {
+    if (address.any.sa_family == AF_INET6) return IN6_IS_ADDR_UNSPECIFIED(&address.v6.sin6_addr);
+    return address.v4.sin_addr.s_addr == htonl(INADDR_ANY);
+}
+
+/// In numbers; empty for IPv6 addresses that mean nothing without the name of a link.
+std::string numeric(const sockaddr& address) {
+    const bool is_v6 = address.sa_family == AF_INET6;
+    SocketAddress copy;
+    std::memcpy(&copy, &address, is_v6 ? sizeof copy.v6 : sizeof copy.v4);
+    if (is_v6 && IN6_IS_ADDR_LINKLOCAL(&copy.v6.sin6_addr)) return "";
+    const void* bytes = is_v6 ? static_cast<const void*>(&copy.v6.sin6_addr) : &copy.v4.sin_addr;
+    char text[INET6_ADDRSTRLEN] = "";
+    return ::inet_ntop(address.sa_family, bytes, text, sizeof text) == nullptr ? "" : text;
+}
+
+bool is_seen_by_others(const ifaddrs& link) {
+    return (link.ifa_flags & IFF_UP) != 0 && (link.ifa_flags & IFF_LOOPBACK) == 0;
+}
+
 [[noreturn]] void refuse(const ListenAddress& where, int reason) {
     if (reason == EADDRINUSE)
         throw InputError(format(
@@ -62,6 +85,21 @@ bool ListenAddress::is_loopback() const {
     if (parse(*this, parsed) == 0) return false;
     if (is_ipv6()) return IN6_IS_ADDR_LOOPBACK(&parsed.v6.sin6_addr);
     return (ntohl(parsed.v4.sin_addr.s_addr) >> 24) == 127;
+}
+
+ListenAddress ListenAddress::to_type() const {
+    SocketAddress parsed;
+    if (parse(*this, parsed) == 0 || !is_any(parsed)) return *this;
+    ifaddrs* listed = nullptr;
+    ::getifaddrs(&listed);
+    const std::unique_ptr<ifaddrs, decltype(&::freeifaddrs)> owner(listed, ::freeifaddrs);
+    for (const ifaddrs* each = listed; each != nullptr; each = each->ifa_next) {
+        if (each->ifa_addr == nullptr || each->ifa_addr->sa_family != parsed.any.sa_family)
+            continue;
+        const std::string found = numeric(*each->ifa_addr);
+        if (is_seen_by_others(*each) && !found.empty()) return {found, port};
+    }
+    return {is_ipv6() ? "::1" : "127.0.0.1", port};
 }
 
 std::string ListenAddress::text() const {

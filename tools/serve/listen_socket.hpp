@@ -13,6 +13,9 @@ struct ListenAddress {
     bool is_ipv6() const { return address.find(':') != std::string::npos; }
     /// "127.0.0.1:8060", "[::1]:8060".
     std::string text() const;
+    /// What to type elsewhere: where all addresses are listened on (0.0.0.0, ::), the first of
+    /// this machine that others can reach, or its loopback where there is none.
+    ListenAddress to_type() const;
 };
 
 /// A listening TCP socket, closed with this unless it was given away.

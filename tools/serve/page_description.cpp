@@ -1,5 +1,7 @@
 #include "tools/serve/page_description.hpp"
 
+#include <cmath>
+
 #include "firmware/fw_extract.h"
 #include "sim/core/version.hpp"
 
@@ -17,6 +19,7 @@ FloatJson fields_json() {
                           {"min", static_cast<float>(field.min)},
                           {"max", static_cast<float>(field.max)},
                           {"step", static_cast<float>(field.step)},
+                          {"whole", field.whole},
                           {"usual", static_cast<float>(usual.*field.member)}});
     return fields;
 }
@@ -41,6 +44,14 @@ FloatJson pieces_json(const RungSet& models) {
     return pieces;
 }
 
+/// Where a radar sees a plate (blind_reason), in whole millimetres.
+FloatJson heights_seen_mm(const Radar& radar) {
+    constexpr double mm_per_m = 1e3, first_free_bin = 3.0;
+    const double least_mm = std::ceil(first_free_bin * radar.chirp.bin_m() * mm_per_m);
+    const double most_mm = std::floor(radar.chirp.max_range_m() * mm_per_m);
+    return FloatJson::array({static_cast<float>(least_mm), static_cast<float>(most_mm)});
+}
+
 FloatJson radars_json(const KnownNames& known) {
     constexpr double mm_per_m = 1e3;
     FloatJson radars = FloatJson::array();
@@ -50,7 +61,8 @@ FloatJson radars_json(const KnownNames& known) {
              {"title", radar.title},
              {"slope_mhz_us", static_cast<float>(radar.chirp.slope_hz_s / hz_s_per_mhz_us)},
              {"noise_figure_db", static_cast<float>(radar.receiver.noise_figure_db)},
-             {"bin_mm", static_cast<float>(radar.chirp.bin_m() * mm_per_m)}});
+             {"bin_mm", static_cast<float>(radar.chirp.bin_m() * mm_per_m)},
+             {"heights_mm", heights_seen_mm(radar)}});
     return radars;
 }
 

@@ -58,7 +58,7 @@ void serve_command(const ServeArguments& arguments, const Catalogue& catalogue) 
         std::max(least_workers, arguments.threads));
     if (!token.empty())
         say_warning("others on the network can reach this page; only who has the token gets in");
-    std::printf("Specula's page: http://%s/%s\nCtrl-C ends it.\n", where.text().c_str(),
+    std::printf("Specula's page: http://%s/%s\nCtrl-C ends it.\n", where.to_type().text().c_str(),
                 token.empty() ? "" : ("?token=" + token).c_str());
     std::fflush(stdout);
     interruption.wait();

@@ -26,6 +26,21 @@ int status_of(const RequestGuard& guard, const HttpRequest& request) {
     return refusal ? refusal->status : 200;
 }
 
+TEST_CASE("where all addresses are listened on, one that opens the page is printed", "[serve]") {
+    for (const char* all : {"0.0.0.0", "::"}) {
+        const ListenAddress where{all, 8060};
+        const ListenAddress printed = where.to_type();
+        INFO(printed.text());
+        CHECK(printed.address != all);
+        CHECK(printed.is_ipv6() == where.is_ipv6());
+        CHECK(status_of(RequestGuard(where, ""), get_from(printed.text())) == 200);
+        if (printed.is_ipv6()) continue;  // which a machine may have switched off
+        // The system binds to none but this machine's own addresses.
+        CHECK(ListenSocket({printed.address, 0}).where().address == printed.address);
+    }
+    CHECK(ListenAddress{"192.168.1.5", 8060}.to_type().address == "192.168.1.5");
+}
+
 TEST_CASE("only this machine's own names and port pass as Host", "[serve]") {
     const RequestGuard guard({"127.0.0.1", 8060}, "");
     for (const char* host : {"127.0.0.1:8060", "localhost:8060", "LOCALHOST:8060", "[::1]:8060"})

@@ -3,6 +3,8 @@
 #include "tests/check.hpp"
 #include "tests/project_catalogue.hpp"
 #include "tests/tools/serve/project_names.hpp"
+#include "tools/serve/page_bench.hpp"
+#include "tools/serve/page_description.hpp"
 #include "tools/serve/requested_scene.hpp"
 
 namespace specula {
@@ -15,6 +17,27 @@ FieldError refusal(const std::string& text) {
         return error;
     }
     return {"", "taken", ""};
+}
+
+TEST_CASE("a board sees the heights that the page is told, and no millimetre more", "[serve]") {
+    const Experiment experiment = page_experiment(catalogue());
+    const FloatJson page = page_description({.catalogue = catalogue(),
+                                             .known = known(),
+                                             .experiment = experiment,
+                                             .models = RungSet{},
+                                             .lessons = {}});
+    REQUIRE(page["radars"].size() == known().radars.size());
+    for (const FloatJson& radar : page["radars"]) {
+        const auto sees = [&](float height_mm) {
+            return blind_reason(*known().radar(radar["name"]), 1e-3 * height_mm).empty();
+        };
+        INFO(radar.dump());
+        const float least_mm = radar["heights_mm"][0], most_mm = radar["heights_mm"][1];
+        CHECK(sees(least_mm));
+        CHECK(sees(most_mm));
+        CHECK(!sees(least_mm - 1));
+        CHECK(!sees(most_mm + 1));
+    }
 }
 
 TEST_CASE("an empty request is the usual scene, and every request reads back as itself",

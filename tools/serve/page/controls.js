@@ -54,7 +54,7 @@ export class Controls {
   }
 
   home() {
-    return element('p', {}, element('button', { type: 'button', onclick: () => this.state.set({ ...this.state.usual(), lesson: this.state.values.lesson }) }, 'Start over'));
+    return element('p', {}, element('button', { type: 'button', onclick: () => this.state.set(this.state.start(this.state.values.lesson)) }, 'Start over'));
   }
 
   field(key) {
@@ -69,9 +69,10 @@ export class Controls {
     const [min, max] = SLIDER[field.key] ?? [field.min, field.max];
     const id = `field-${field.key}`;
     let drawn = null;
-    const change = (event) => {
-      const value = event.target.valueAsNumber;
-      if (this.state.allowed(field.key, value)) this.state.set({ [field.key]: value });
+    const text = (value) => value.toFixed(decimals(field.step)).replace(/(\.\d*?)0+$/, '$1').replace(/\.$/, '');
+    const change = ({ target }) => {
+      this.state.set({ [field.key]: target.valueAsNumber });
+      if (target === typed && !this.state.allowed(field.key, target.valueAsNumber)) typed.value = text(this.state.values[field.key]);
     };
     const slider = element('input', { type: 'range', id, min, max, step: field.step, oninput: change, 'aria-label': field.title });
     const typed = element('input', { type: 'number', min: field.min, max: field.max, step: 'any', onchange: change, onblur: () => { drawn = null; this.show(this.state.values); }, 'aria-label': `${field.title}${field.unit && `, ${field.unit}`}, ${field.min} to ${field.max}` });
@@ -81,7 +82,7 @@ export class Controls {
       drawn = value;
       slider.value = value;
       slider.setAttribute('aria-valuetext', `${value} ${field.unit}`);
-      if (document.activeElement !== typed) typed.value = value.toFixed(decimals(field.step)).replace(/(\.\d*?)0+$/, '$1').replace(/\.$/, '');
+      if (document.activeElement !== typed) typed.value = text(value);
     });
     const parts = [element('label', { for: id }, field.title), element('span', { class: 'value' }, typed, element('span', { class: 'unit' }, field.unit)), slider];
     if (field.key === 'session') parts.push(this.sessionNote());

@@ -16,7 +16,7 @@ export class Lessons {
 
   begin(i) {
     const lesson = this.lessons[i];
-    this.state.set({ ...this.state.usual(), ...lesson.scene, lesson: lesson.name, model: 'paper' });
+    this.state.set(this.state.start(lesson.name));
     this.panel.querySelector('h2').focus({ preventScroll: true });
   }
 
@@ -24,7 +24,8 @@ export class Lessons {
     if (values.lesson !== this.shown) this.open(values.lesson);
     const lesson = this.lessons.find((each) => each.name === values.lesson);
     lesson?.tries.forEach((each, i) => {
-      const done = Object.entries(each.set).every(([key, value]) => values[key] === value);
+      const tried = { ...this.state.start(lesson.name), ...each.set };
+      const done = Object.entries(tried).every(([key, value]) => values[key] === value);
       this.tries[i].setAttribute('aria-pressed', done);
     });
   }
@@ -37,11 +38,16 @@ export class Lessons {
     document.querySelector('main').classList.toggle('taught', at >= 0);
     if (at < 0) return;
     const lesson = this.lessons[at];
-    this.tries = lesson.tries.map((each) => element('button', { type: 'button', onclick: () => this.state.set(each.set) }, element('span', {}, each.text)));
+    this.tries = lesson.tries.map((each) => element('button', { type: 'button', onclick: () => this.state.set({ ...this.state.start(name), ...each.set }) }, element('span', {}, each.text)));
     const words = element('div', { class: 'words' }, ...lesson.text.map((text) => element('p', {}, text)));
     const deeds = element('div', { class: 'deeds' }, element('p', { class: 'look' }, element('b', {}, 'Look for: '), lesson.look_for),
       element('ul', { class: 'tries' }, ...this.tries.map((button) => element('li', {}, button))), this.steps(at));
     this.panel.replaceChildren(element('h2', { tabindex: -1 }, `${at + 1}. ${lesson.title}`), words, deeds);
+  }
+
+  leave(at) {
+    this.state.set({ lesson: '' });
+    this.buttons[at].focus();  // the pressed button is gone, and the keyboard's place with it
   }
 
   steps(at) {
@@ -49,7 +55,7 @@ export class Lessons {
     const row = element('p', { class: 'steps' });
     if (at > 0) row.append(step('Back', at - 1));
     if (at + 1 < this.lessons.length) row.append(step('Next lesson', at + 1));
-    row.append(element('button', { type: 'button', class: 'leave', 'aria-label': 'Close the lesson', onclick: () => this.state.set({ lesson: '' }) }, 'Close'));
+    row.append(element('button', { type: 'button', class: 'leave', 'aria-label': 'Close the lesson', onclick: () => this.leave(at) }, 'Close'));
     return row;
   }
 }

@@ -13,7 +13,9 @@ import { View3d } from './view3d.js';
 const at = (id) => document.getElementById(id);
 const CURVE_REST_MS = 140;  // a curve is asked for when the hand rests
 const SAID_REST_MS = 700;
-const LIVE_MS = 60;
+const LIVE_MS = 40;
+const URL_MS = 350;  // browsers refuse more than a hundred changes in 30 s
+const PATIENCE_MS = 300;  // an answer before that needs no word of waiting
 const MOST_CHIRPS = 2;  // one is drawn while the next is computed
 
 /** What of the state a curve depends on. */
@@ -69,33 +71,74 @@ async function start() {
   const charts = new Charts(at('plots'), facts);
   const verdict = new Verdict(state);
   new Lessons(state);
-  let latest = null, paceTimer = 0;
+  let latest = null, asked = '', paceTimer = 0, busyTimer = 0, saidTimer = 0;
+  const main = document.querySelector('main');
 
   const complain = (error) => {
-    controls.complain(error.message);
-    at('status').textContent = error.message;
+    const title = facts.fields.find((each) => each.key === error.field)?.title;
+    const text = title && !error.message.startsWith(error.field) ? `${title}: ${error.message}` : error.message;
+    controls.complain(text);
+    at('status').textContent = text;
+    return text;
   };
   const redraw = () => {
     if (!latest) return;
+    const { answer, request } = latest;
     const { values } = state;
     const model = facts.models.find((each) => each.name === values.model);
-    charts.show(latest, values, model);
-    verdict.show(latest, values);
-    showFacts(values, latest);
+    charts.show(answer, values, model);
+    verdict.show(answer, { ...request, model: values.model });
+    showFacts(request, answer);
+  };
+  const isAnswered = () => latest && JSON.stringify(latest.request) === asked;
+  const say = () => put(at('status'), [state.note, ...latest.answer.warnings].filter(Boolean).map((text, i) => (i ? text : `Note: ${text}`)).join('; ') || 'Ready');
+  const wait = () => {
+    main.setAttribute('aria-busy', 'true');
+    busyTimer ||= setTimeout(() => put(at('status'), 'Computing'), PATIENCE_MS);
+  };
+  const rest = () => {
+    main.setAttribute('aria-busy', 'false');
+    clearTimeout(busyTimer);
+    busyTimer = 0;
+  };
+  const announce = () => {
+    clearTimeout(saidTimer);
+    saidTimer = setTimeout(() => { at('said').textContent = `${described(state.values)}: ${verdict.said ?? ''}`; }, SAID_REST_MS);
+  };
+  /** What was drawn belongs to another state: it shall not pass for this one's. */
+  const refuse = (error, request) => {
+    latest = null;
+    main.classList.add('refused');
+    verdict.showNone(`No answer. ${complain(error)}`, 'No answer');
+    if (JSON.stringify(request) !== asked) return;
+    asked = '';  // the next change asks again
+    rest();
+    announce();
   };
   const chirps = new Follower('api/chirp', (answer, request) => {
-    latest = answer;
+    latest = { answer, request };
+    main.classList.remove('refused');
     controls.complain('');
     redraw();
     view?.show(request, answer.foot);
-    put(at('status'), answer.warnings.length ? `Note: ${answer.warnings.join('; ')}` : 'Ready');
+    rest();
+    if (isAnswered()) {
+      say();
+      announce();
+    } else {
+      wait();
+    }
     clearTimeout(paceTimer);
     paceTimer = setTimeout(() => showPace(chirps.latest_ms), CURVE_REST_MS);
-  }, complain, MOST_CHIRPS);
-  const curves = ['tilt', 'height'].map((axis) => ({
-    axis, key: '', timer: 0,
-    follower: new Follower(`api/curve/${axis}`, (answer) => charts.takeCurve(axis, answer, state.values), complain),
-  }));
+  }, refuse, MOST_CHIRPS);
+  const curves = ['tilt', 'height'].map((axis) => {
+    const curve = { axis, key: '', timer: 0 };
+    curve.follower = new Follower(`api/curve/${axis}`, (answer) => charts.takeCurve(axis, answer, state.values), (error) => {
+      curve.key = '';  // the same curve may do at another height
+      complain(error);
+    });
+    return curve;
+  });
 
   const wantCurve = (curve) => {
     const key = curveKey(curve.axis, state.request());
@@ -105,18 +148,27 @@ async function start() {
     clearTimeout(curve.timer);
     curve.timer = setTimeout(() => curve.follower.want(state.request()), CURVE_REST_MS);
   };
-  let asked = '', urlTimer = 0, saidTimer = 0;
-  state.listen((values) => {
+  let urlTimer = 0;
+  state.listen(() => {
     const request = state.request();
     const text = JSON.stringify(request);
-    if (text === asked) redraw();
-    else chirps.want(request);
-    asked = text;
-    curves.forEach(wantCurve);
-    clearTimeout(urlTimer);
-    urlTimer = setTimeout(() => history.replaceState(null, '', `#${state.fragment()}`), 250);
     clearTimeout(saidTimer);
-    saidTimer = setTimeout(() => { at('said').textContent = `${described(values)}: ${verdict.said ?? ''}`; }, SAID_REST_MS);
+    if (text !== asked) {
+      asked = text;
+      wait();
+      chirps.want(request);
+    } else {
+      redraw();
+      if (isAnswered()) {
+        say();
+        announce();
+      }
+    }
+    curves.forEach(wantCurve);
+    urlTimer ||= setTimeout(() => {
+      urlTimer = 0;
+      history.replaceState(null, '', `#${state.fragment()}`);
+    }, URL_MS);
   });
 
   let live = 0;
@@ -126,8 +178,9 @@ async function start() {
     at('frames').setAttribute('aria-pressed', Boolean(live));
   });
   new Sharing(state, charts, () => described(state.values), (text) => complain(new Error(text)));
-  addEventListener('hashchange', () => state.readFragment(location.hash.slice(1)));
-  state.readFragment(location.hash.slice(1));
+  const isPlace = () => Boolean(at(location.hash.slice(1)));  // as that of the skip link
+  addEventListener('hashchange', () => isPlace() || state.readFragment(location.hash.slice(1)));
+  state.readFragment(isPlace() ? '' : location.hash.slice(1));
 }
 
 /** How long updates took lately, from the hand to the picture. */

@@ -21,7 +21,7 @@ const pause = (ms) => new Promise((wake) => setTimeout(wake, ms));
 /** Keeps one kind of answer up to date. */
 export class Follower {
   /**
-   * @param path of the API  @param show takes (answer, request)  @param complain takes an Error
+   * @param path of the API  @param show takes (answer, request)  @param complain takes (Error, request)
    * @param most requests on their way at a time
    */
   constructor(path, show, complain, most = 1) {
@@ -54,7 +54,7 @@ export class Follower {
         if (number === this.sent) this.wanted ??= { request, since };
       } else if (number > this.shown) {
         this.shown = number;
-        this.complain(error);
+        this.complain(error, request);
       }
     }
     this.flying--;

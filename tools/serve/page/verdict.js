@@ -80,7 +80,7 @@ export class Verdict {
 
   show(answer, values) {
     const said = answer.models.find((each) => each.name === values.model);
-    if (!said) return this.showNone();
+    if (!said) return this.showNone('The models know one board and one chirp only; this is another one', 'No model for this chirp');
     const best = said.probability.indexOf(Math.max(...said.probability));
     const name = this.facts.classes[best];
     const isClass = this.facts.classes.includes(values.material);
@@ -116,16 +116,16 @@ export class Verdict {
     this.distance.limit.style.left = `${(100 * said.familiar_distance) / scale}%`;
   }
 
-  /** Another chirp than the one the models were trained on. */
-  showNone() {
-    this.call.replaceChildren(element('span', { class: 'badge none' }, 'The models know one board and one chirp only; this is another one'));
+  /** Another chirp than the one the models were trained on, or none at all. */
+  showNone(reason, brief) {
+    this.call.replaceChildren(element('span', { class: 'badge none' }, reason));
     for (const { row, fill, value } of [...this.bars, this.confidence, this.logit, this.energy, this.distance]) {
       row.className = '';
       fill.style.transform = 'scaleX(0)';
       value.textContent = '';
     }
     this.distance.limit.hidden = true;
-    this.strip.replaceChildren('No model for this chirp');
-    this.said = 'no model knows this chirp';
+    this.strip.replaceChildren(brief);
+    this.said = brief;
   }
 }
