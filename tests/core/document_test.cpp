@@ -106,7 +106,7 @@ TEST_CASE("arrays are refused by length and by what they hold", "[document]") {
     CHECK(numbers("v = [1, 0]", 2) ==
           "x.toml:1: v = [1, 0]: is out of range; give a value above 0");
     CHECK(message_of([] { return section_of("v = []").texts("v"); }) ==
-          "x.toml:1: v = []: is not a list; write [\"a\", \"b\"]");
+          "x.toml:1: v = []: is empty; write [\"a\", \"b\"]");
     CHECK(message_of([] { return section_of("v = []").sections("v"); }) ==
           "x.toml:1: v = []: is not a list of tables; write [[v]]");
 }
