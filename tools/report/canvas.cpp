@@ -111,6 +111,17 @@ std::string marker(const Canvas& canvas, double x_px, double y_px, const LegendE
 
 }  // namespace
 
+std::vector<LegendEntry> interval_legend(const std::vector<std::string>& series) {
+    std::vector<LegendEntry> entries;
+    for (std::size_t i = 0; i < series.size(); ++i)
+        entries.push_back({.label = series[i],
+                           .colour = series_colour(2 * i),
+                           .marker = Marker::line_point,
+                           .point_type = series_point(2 * i),
+                           .point_size = 0.7});
+    return entries;
+}
+
 Legend legend_row(const Canvas& canvas, double x_px, double y_px,
                   const std::vector<LegendEntry>& entries) {
     Legend legend{.commands = {}, .end_px = x_px};

@@ -34,6 +34,9 @@ struct LegendEntry {
     double point_size = 0.8;
 };
 
+/// Legend of series that stand beside each other as means with intervals, in colours well apart.
+std::vector<LegendEntry> interval_legend(const std::vector<std::string>& series);
+
 /// Places things by pixel. gnuplot's own `character` unit and its legend differ between the SVG and
 /// the PNG terminal; pixels make both look the same.
 struct Canvas {

@@ -66,13 +66,7 @@ std::string forest_labels(const ForestContent& content, const ForestLayout& layo
 
 std::string forest_legend(const ForestContent& content, const ForestLayout& layout) {
     std::vector<LegendEntry> entries;
-    if (content.series.size() > 1)
-        for (std::size_t i = 0; i < content.series.size(); ++i)
-            entries.push_back({.label = content.series[i],
-                               .colour = series_colour(2 * i),
-                               .marker = Marker::line_point,
-                               .point_type = series_point(2 * i),
-                               .point_size = 0.7});
+    if (content.series.size() > 1) entries = interval_legend(content.series);
     if (!content.band_label.empty())
         entries.push_back(
             {.label = content.band_label, .colour = band_colour, .marker = Marker::patch});

@@ -104,13 +104,7 @@ std::string gain_panel(const GainContent& content, const GainLayout& layout, std
 std::string gain_script(const GainContent& content) {
     const GainLayout layout = gain_layout(content);
     const PixelBox heading{.left = 14.0, .top = 0.0, .right = 0.0, .bottom = 0.0};
-    std::vector<LegendEntry> entries;
-    for (std::size_t i = 0; i < content.series.size(); ++i)
-        entries.push_back({.label = content.series[i],
-                           .colour = series_colour(2 * i),
-                           .marker = Marker::line_point,
-                           .point_type = series_point(2 * i),
-                           .point_size = 0.7});
+    const std::vector<LegendEntry> entries = interval_legend(content.series);
     std::string text =
         axes_style() +
         format("set border 1\nunset ytics\nset grid xtics noytics\nset errorbars 0.4\n"
