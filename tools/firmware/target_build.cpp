@@ -5,6 +5,7 @@
 
 #include "sim/core/error.hpp"
 #include "sim/core/format.hpp"
+#include "sim/core/output_lock.hpp"
 #include "tools/firmware/process.hpp"
 
 namespace specula {
@@ -48,6 +49,7 @@ TargetBuild build_for_target(const fs::path& home, const fs::path& folder) {
     output_of({{"arm-none-eabi-gcc", "--version"}, {}, compiler_packages});
     std::error_code ignored;
     fs::create_directories(folder, ignored);
+    const OutputLock turn(folder / "lock", OutputLock::Kind::in_turn);
     forget_build_of_another_place(home, folder);
     if (!fs::exists(folder / "build.ninja", ignored))
         output_of({{"cmake", "-S", home.string(), "-B", folder.string(), "-G", "Ninja",

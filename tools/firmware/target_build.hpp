@@ -20,7 +20,7 @@ struct TargetBuild {
 void forget_build_of_another_place(const std::filesystem::path& home,
                                    const std::filesystem::path& folder);
 
-/// Compiles what has changed.
+/// Compiles what has changed; of two processes that want to at once, the second waits.
 /// @in  home    the folder with CMakeLists.txt and firmware/
 /// @in  folder  to build in; made if missing
 /// Throws SystemError, naming the package where a tool is missing.

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "tools/generate/manifest.hpp"
-#include "tools/generate/output_lock.hpp"
+#include "sim/core/output_lock.hpp"
 #include "tools/generate/shard_plan.hpp"
 
 namespace specula {

@@ -13,7 +13,7 @@
 #include "tests/sim/dataset/made_up_dataset.hpp"
 #include "tests/tools/generate/small_recipe.hpp"
 #include "tools/generate/merge.hpp"
-#include "tools/generate/output_lock.hpp"
+#include "sim/core/output_lock.hpp"
 #include "tools/generate/record_session.hpp"
 
 namespace specula {

@@ -9,10 +9,14 @@ namespace specula {
 /// It ends with the process, whatever ends that, so that no lock is ever left over.
 class OutputLock {
   public:
-    enum class Kind { alone, beside_others };
+    enum class Kind {
+        alone,          ///< refused where anyone has the lock
+        beside_others,  ///< refused where one is alone
+        in_turn,        ///< waits until nobody has it
+    };
 
-    /// Throws InputError naming the holder where another process has the lock, and SystemError
-    /// where the file cannot be made.
+    /// Throws InputError naming the holder where it is refused, and SystemError where the file
+    /// cannot be made.
     OutputLock(const std::filesystem::path& file, Kind kind);
     ~OutputLock();
     OutputLock(const OutputLock&) = delete;

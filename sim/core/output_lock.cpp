@@ -1,4 +1,4 @@
-#include "tools/generate/output_lock.hpp"
+#include "sim/core/output_lock.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <stdexcept>
 
 #include "sim/core/error.hpp"
 #include "sim/core/format.hpp"
@@ -26,13 +27,31 @@ std::string holder_of(int descriptor) {
     return n > 0 ? std::string(text, static_cast<std::size_t>(n)) : "another process";
 }
 
+int operation_of(OutputLock::Kind kind) {
+    switch (kind) {
+        case OutputLock::Kind::alone: return LOCK_EX | LOCK_NB;
+        case OutputLock::Kind::beside_others: return LOCK_SH | LOCK_NB;
+        case OutputLock::Kind::in_turn: return LOCK_EX;
+    }
+    throw std::logic_error("OutputLock: unknown kind");
+}
+
+/// 0 or -1, as flock says; a signal does not end the waiting.
+int lock(int descriptor, OutputLock::Kind kind) {
+    int outcome = 0;
+    do {
+        outcome = ::flock(descriptor, operation_of(kind));
+    } while (outcome == -1 && errno == EINTR);
+    return outcome;
+}
+
 }  // namespace
 
 OutputLock::OutputLock(const std::filesystem::path& file, Kind kind)
     : descriptor_(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
     if (descriptor_ == -1)
         throw SystemError(file.string() + ": cannot create: " + std::strerror(errno));
-    if (::flock(descriptor_, (kind == Kind::alone ? LOCK_EX : LOCK_SH) | LOCK_NB) == -1) {
+    if (lock(descriptor_, kind) == -1) {
         const int error = errno;
         const std::string holder = holder_of(descriptor_);
         ::close(descriptor_);
