@@ -44,8 +44,8 @@ Cut cut_at(std::size_t number, const std::vector<FaceUnderWave>& faces,
         const Complex round = 1.0 + r * loss.reflect_below * below;
         if (i == number) cut.below = below;
         const Complex through = (1.0 - r * r) * loss.transmit_twice;
-        if (i < number) cut.transfer *= through / (round * round);
-        below = (r * loss.reflect_above + through * below / round);
+        if (i < number) cut.transfer *= quotient(through, round * round);
+        below = r * loss.reflect_above + quotient(through * below, round);
         if (i == 0) break;
         const Complex twice = faces[i - 1].pass * faces[i - 1].pass;
         below *= twice;
@@ -73,7 +73,7 @@ ModulatedWaves waves_at(std::size_t number, const std::vector<FaceUnderWave>& fa
     const double past = std::copysign(std::sqrt(2.0), above - below) * (above - below);
     waves.rate_rad_m[0] = 2.0 * above;
     for (std::size_t turns = 0; turns + 1 < n_waves; ++turns) {
-        const double rate = std::hypot(past, 2.0 * below * std::sqrt(double(turns)));
+        const double rate = std::sqrt(past * past + 4.0 * below * below * double(turns));
         waves.rate_rad_m[turns + 1] = std::copysign(rate, above - below);
     }
     return waves;
@@ -92,7 +92,7 @@ class OrderSum {
     bool has_ended() const { return has_ended_; }
 
     Complex value() const {
-        const double size = std::abs(common_);
+        const double size = std::sqrt(std::norm(common_));
         return size > 0.0 ? std::sqrt(power_) / size * common_ : Complex(std::sqrt(power_));
     }
 

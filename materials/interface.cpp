@@ -17,7 +17,7 @@ Reflection fresnel(const MediumWave& from, const MediumWave& to) {
         return {};
     const Complex te_from = lower.permeability * from.q, te_to = upper.permeability * to.q;
     const Complex tm_from = lower.permittivity * from.q, tm_to = upper.permittivity * to.q;
-    return {(te_from - te_to) / (te_from + te_to), (tm_from - tm_to) / (tm_from + tm_to)};
+    return {quotient(te_from - te_to, te_from + te_to), quotient(tm_from - tm_to, tm_from + tm_to)};
 }
 
 Reflection fresnel(const Electrics& from, const Electrics& to, double sin_squared) {

@@ -13,7 +13,7 @@ namespace {
 /// A face with a reflection `below` already referred to just beneath it.
 Complex joined(Complex r, Complex below, const FaceLoss& loss) {
     const Complex through = (1.0 - r * r) * loss.transmit_twice * below;
-    return r * loss.reflect_above + through / (1.0 + r * loss.reflect_below * below);
+    return r * loss.reflect_above + quotient(through, 1.0 + r * loss.reflect_below * below);
 }
 
 Reflection without_grain(const Stack& stack, double cos_incidence) {

@@ -43,10 +43,6 @@ struct Stage {
           target(target_of(scene, reflectors)),
           antennas(antennas_of(scene.radar, radar_placement(scene.pose))),
           settings(trace_settings(scene.solver, comb, reflectors)) {}
-
-    SpeckleScene speckle() const {
-        return {target, antennas, comb, settings.accuracy_db, settings.layer_path_m};
-    }
 };
 
 /// The bodies whose roughness scatters, in the order of the reflectors.
@@ -71,9 +67,11 @@ Channel echo_channel(const Scene& asked, const Library& materials, const ForEach
     const bool explicit_heights = asked.solver.roughness == Solver::Roughness::height_field;
     const Scene scene = explicit_heights ? with_height_field(asked) : asked;
     const Stage stage(scene, materials);
-    Scatter scatter = trace(stage.target, stage.antennas, stage.settings);
-    for (const RoughBody& body : rough_bodies(scene, stage))
-        add_speckle(scatter, stage.speckle(), body);
+    std::optional<ThinPlate> plate = ThinPlate::of(stage.target, stage.antennas, stage.settings);
+    Scatter scatter = trace(stage.target, stage.antennas, stage.settings, plate);
+    const SpeckleScene speckle{stage.target, stage.antennas, stage.comb, stage.settings.accuracy_db,
+                               plate};
+    for (const RoughBody& body : rough_bodies(scene, stage)) add_speckle(scatter, speckle, body);
     return channel_of(scatter, stage.reflectors, stage.comb, for_each);
 }
 

@@ -31,22 +31,18 @@ std::vector<RoughLayer> rough_layers(const RoughBody& rough, const FrequencyComb
 }
 
 void add_speckle(Scatter& scatter, const SpeckleScene& scene, const RoughBody& rough) {
-    const TraceSettings settings{.highest_hz = scene.comb.last_hz(),
-                                 .accuracy_db = scene.accuracy_db,
-                                 .lowest_hz = scene.comb.first_hz,
-                                 .layer_path_m = scene.layer_path_m};
     for (const RoughLayer& layer : rough_layers(rough, scene.comb, scene.accuracy_db)) {
         Stream piece({.seed = rough.piece,
                       .purpose = "speckle",
                       .world = 0,
                       .item = static_cast<std::uint32_t>(layer.body << 8 | layer.face)});
-        if (auto thin = drawn_thin_cells(scene.target, scene.antennas, layer, settings, piece)) {
-            scatter.routes.push_back(std::move(*thin));
-            continue;
+        std::optional<RouteScatter> cells;
+        if (scene.plate) cells = drawn_thin_cells(*scene.plate, layer, piece);
+        if (!cells) {
+            cells = diffuse_cells(scene.target, scene.antennas, layer);
+            draw_speckle(*cells, piece);
         }
-        RouteScatter cells = diffuse_cells(scene.target, scene.antennas, layer);
-        draw_speckle(cells, piece);
-        scatter.routes.push_back(std::move(cells));
+        scatter.routes.push_back(std::move(*cells));
     }
 }
 

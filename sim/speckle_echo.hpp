@@ -27,7 +27,7 @@ struct SpeckleScene {
     const AntennaSet& antennas;
     const FrequencyComb& comb;
     double accuracy_db = 0.1;
-    double layer_path_m = 0.0;  ///< of the bodies; see Detail
+    std::optional<ThinPlate>& plate;  ///< ThinPlate::of the target
 };
 void add_speckle(Scatter& scatter, const SpeckleScene& scene, const RoughBody& rough);
 

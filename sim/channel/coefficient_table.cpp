@@ -10,7 +10,7 @@ namespace specula {
 namespace {
 
 constexpr int tried_first = 6;
-/// Terms at the end of a series that must be negligible, to tell that it is the end.
+/// Terms at the end of a series that must at least be negligible, to tell that it is the end.
 constexpr int least_spare = 2;
 /// A double series leaves out many more terms than one over the cosine alone.
 constexpr double negligible_term = 0.1 * negligible_coefficient;
@@ -23,15 +23,16 @@ CoefficientTable sampled(const Event& event, const Reflector& reflector,
     const auto n_k = static_cast<std::size_t>(frequency_hz.n);
     CoefficientTable table{cosine, frequency_hz, std::vector<Complex>(n_p * n_k),
                            std::vector<Complex>(n_p * n_k)};
-    const std::vector<double> over_cosine = coefficient_matrix(cosine.n);
-    const std::vector<double> over_frequency = coefficient_matrix(frequency_hz.n);
+    const std::vector<double>& over_cosine = coefficient_matrix(cosine.n);
+    const std::vector<double>& over_frequency = coefficient_matrix(frequency_hz.n);
+    const std::vector<double> cosines = cosine.nodes();
     std::vector<Complex> te(n_p), tm(n_p);
     for (std::size_t node = 0; node < n_k; ++node) {
         const Stack stack = reflector(frequency_hz.node(static_cast<int>(node)));
         std::fill(te.begin(), te.end(), Complex{});
         std::fill(tm.begin(), tm.end(), Complex{});
         for (std::size_t i = 0; i < n_p; ++i) {
-            const TeTm c = coefficients_of(event, stack, cosine.node(static_cast<int>(i)));
+            const TeTm c = coefficients_of(event, stack, cosines[i]);
             for (std::size_t p = 0; p < n_p; ++p) {
                 te[p] += over_cosine[p * n_p + i] * c.te;
                 tm[p] += over_cosine[p * n_p + i] * c.tm;
@@ -46,6 +47,15 @@ CoefficientTable sampled(const Event& event, const Reflector& reflector,
     return table;
 }
 
+/// Whether |te| + |tm| is at most `negligible_term`; as a rule the squares tell.
+bool is_negligible(const Complex& te, const Complex& tm) {
+    constexpr double limit = negligible_term * negligible_term;
+    const double squares = std::norm(te) + std::norm(tm);
+    if (squares > limit) return false;
+    if (2.0 * squares <= limit) return true;
+    return std::abs(te) + std::abs(tm) <= negligible_term;
+}
+
 /// How many polynomials of each kind carry all that is above `negligible_term`.
 struct Needed {
     int cosine = 1;
@@ -56,7 +66,7 @@ Needed needed_of(const CoefficientTable& table) {
     Needed needed;
     const auto n_k = static_cast<std::size_t>(table.frequency_hz.n);
     for (std::size_t i = 0; i < table.te.size(); ++i) {
-        if (std::abs(table.te[i]) + std::abs(table.tm[i]) <= negligible_term) continue;
+        if (is_negligible(table.te[i], table.tm[i])) continue;
         needed.cosine = std::max(needed.cosine, static_cast<int>(i / n_k) + 1);
         needed.frequency = std::max(needed.frequency, static_cast<int>(i % n_k) + 1);
     }
@@ -64,38 +74,20 @@ Needed needed_of(const CoefficientTable& table) {
 }
 
 /// Where a series is cut too short, its rest folds onto all its terms, the last ones included.
-bool is_enough(int needed, int n) {
-    return needed <= n * 3 / 4;
-}
-
-bool is_enough(const CoefficientTable& table) {
-    const Needed needed = needed_of(table);
-    return is_enough(needed.cosine, table.cosine.n) &&
-           is_enough(needed.frequency, table.frequency_hz.n);
-}
-
-/// The larger of what is needed at either end of an interval.
-template <typename Count>
-int needed_at_ends(const ChebyshevGrid& interval, const Count& needed_at) {
-    return std::max(needed_at(ChebyshevGrid{interval.low, interval.low, 1}),
-                    needed_at(ChebyshevGrid{interval.high, interval.high, 1}));
+int with_spare(int needed) {
+    return needed + needed / 8 + least_spare;
 }
 
 /// Terms of a series of which `needed` tells how many of n are not negligible; more than `most`
 /// where no n up to it shows the end.
 template <typename Count>
 int length_of(const Count& needed, int most) {
-    for (int n = 2 * tried_first; n <= most;) {
+    for (int n = tried_first; n <= most;) {
         const int length = needed(n);
-        if (is_enough(length, n)) return length;
-        n = length < n ? length * 4 / 3 + 2 : 2 * n;
+        if (with_spare(length) <= n) return length;
+        n = length < n ? with_spare(with_spare(length)) : 2 * n;
     }
     return most + 1;
-}
-
-/// Between the edges a series may be a little longer.
-int with_spare(int needed) {
-    return needed + needed / 8 + least_spare;
 }
 
 CoefficientTable cut(const CoefficientTable& table, const Needed& needed) {
@@ -150,19 +142,16 @@ std::optional<CoefficientTable> coefficient_table(const Event& event, const Refl
     const auto table_of = [&](const ChebyshevGrid& c, const ChebyshevGrid& f) {
         return sampled(event, reflector, c, f);
     };
-    cosine.n = frequency_hz.n = tried_first;
-    if (const CoefficientTable few = table_of(cosine, frequency_hz); is_enough(few))
-        return cut(few, needed_of(few));
-    // How long both series are shows along the edges, at a small part of the cost of the area.
+    // How long both series are shows along the edges, at a small part of the cost of the area: a
+    // way in a layer turns over the cosine fastest at the highest frequency, and over the frequency
+    // at the steepest incidence.
+    const ChebyshevGrid steepest{cosine.high, cosine.high, 1};
+    const ChebyshevGrid highest{frequency_hz.high, frequency_hz.high, 1};
     const auto along_cosine = [&](int n) {
-        return needed_at_ends(frequency_hz, [&](const ChebyshevGrid& end) {
-            return needed_of(table_of({cosine.low, cosine.high, n}, end)).cosine;
-        });
+        return needed_of(table_of({cosine.low, cosine.high, n}, highest)).cosine;
     };
     const auto along_frequency = [&](int n) {
-        return needed_at_ends(cosine, [&](const ChebyshevGrid& end) {
-            return needed_of(table_of(end, {frequency_hz.low, frequency_hz.high, n})).frequency;
-        });
+        return needed_of(table_of(steepest, {frequency_hz.low, frequency_hz.high, n})).frequency;
     };
     cosine.n = with_spare(length_of(along_cosine, most_polynomials));
     frequency_hz.n = with_spare(length_of(along_frequency, most_over_frequency));

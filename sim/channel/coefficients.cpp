@@ -68,7 +68,7 @@ TeTm coefficients_of(const Event& event, const Stack& stack, double cos_incidenc
 
 AngularSeries angular_series(const Event& event, const Stack& stack, const ChebyshevGrid& cosines) {
     const auto n = static_cast<std::size_t>(cosines.n);
-    const auto to_series = coefficient_matrix(cosines.n);
+    const auto& to_series = coefficient_matrix(cosines.n);
     AngularSeries series{std::vector<Complex>(n), std::vector<Complex>(n)};
     for (std::size_t i = 0; i < n; ++i) {
         const TeTm c = coefficients_of(event, stack, cosines.node(static_cast<int>(i)));

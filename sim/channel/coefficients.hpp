@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "materials/transmission.hpp"
-#include "sim/channel/chebyshev.hpp"
 #include "sim/channel/reflector.hpp"
+#include "sim/core/chebyshev.hpp"
 #include "sim/trace/scatter.hpp"
 
 namespace specula {

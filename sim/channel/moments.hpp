@@ -3,7 +3,7 @@
 #include <complex>
 #include <vector>
 
-#include "sim/channel/chebyshev.hpp"
+#include "sim/core/chebyshev.hpp"
 #include "sim/trace/scatter.hpp"
 
 namespace specula {

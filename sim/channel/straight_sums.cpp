@@ -73,12 +73,7 @@ void StraightSums::make_carrier() {
     kernels().turn(turns.data(), n, cosine.data(), sine.data());
     for (std::size_t i = 0; i < n; ++i)
         carrier_.push_back(surface_factor * Complex(cosine[i], sine[i]));
-
-    const auto n_q = static_cast<std::size_t>(grid_.frequency_hz.n);
-    const std::vector<double> by_frequency = interpolation_matrix(grid_.frequency_hz, comb_hz_);
-    from_nodes_.resize(by_frequency.size());
-    for (std::size_t i = 0; i < n; ++i)
-        for (std::size_t q = 0; q < n_q; ++q) from_nodes_[q * n + i] = by_frequency[i * n_q + q];
+    from_nodes_ = interpolation_matrix(grid_.frequency_hz, comb_hz_);
 }
 
 void StraightSums::sum_at_least(int n_polynomials) {

@@ -1,6 +1,7 @@
 #include "sim/trace/quadrature.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -74,35 +75,72 @@ struct Rates {
     }
 };
 
-/// @in  cosine_m  how many metres of path a change of the cosine of incidence counts as much as
-Rates rates_over(const Surface& surface, const Patch& patch, const PhaseCentres& centres,
-                 double cosine_m) {
+/// A patch looked at from a source, at some points of it.
+class Looks {
+  public:
+    /// @in  rx_m  those that `rates` will be asked for
+    Looks(const Surface& surface, const Patch& patch, const Vector3& source_m,
+          std::span<const Vector3> rx_m);
+
+    /// @in  cosine_m  how many metres of path a change of the cosine of incidence counts as much as
+    Rates rates(const Vector3& rx_m, double cosine_m) const;
+
+  private:
+    struct Look {
+        SurfacePoint at;
+        double spacing_u, spacing_v;          ///< of quadrature points there
+        double from_source_u, from_source_v;  ///< change of the distance to the source
+        double of_cosine_u, of_cosine_v;      ///< about that of the cosine of incidence
+    };
+    static constexpr int most_per_axis = 9;
+    Vector3 middle_m_;
+    double size_m_, from_source_m_, farthest_;
+    std::array<Look, most_per_axis * most_per_axis> looks_;
+    std::size_t n_looks_ = 0;
+};
+
+Looks::Looks(const Surface& surface, const Patch& patch, const Vector3& source_m,
+             std::span<const Vector3> rx_m) {
     const SurfacePoint middle = surface_point(surface, patch.u_at(0.0), patch.v_at(0.0));
-    Rates rates;
-    rates.size_m =
-        (patch.half_u() * middle.along_u).norm() + (patch.half_v() * middle.along_v).norm();
-    rates.distance_m = std::min((middle.point_m - centres.source_m).norm(),
-                                (middle.point_m - centres.rx_m).norm());
-    const bool small = rates.size_m < small_angle * rates.distance_m;
-    const int looks = small ? 3 : 9;
+    middle_m_ = middle.point_m;
+    size_m_ = (patch.half_u() * middle.along_u).norm() + (patch.half_v() * middle.along_v).norm();
+    from_source_m_ = (middle_m_ - source_m).norm();
+    double nearest_m = from_source_m_;
+    for (const Vector3& rx : rx_m) nearest_m = std::min(nearest_m, (middle_m_ - rx).norm());
+    const bool small = size_m_ < small_angle * nearest_m;
+    const int n = small ? 3 : most_per_axis;
     // Straight below the antennas the rate is nothing in the middle and grows to both sides, most
     // of it, weighted, at sqrt(1/2).
-    rates.farthest = small ? std::sqrt(0.5) : 1.0;
-    for (int i = 0; i < looks; ++i) {
-        for (int j = 0; j < looks; ++j) {
-            const double s = rates.farthest * (2.0 * i / (looks - 1) - 1.0);
-            const double t = rates.farthest * (2.0 * j / (looks - 1) - 1.0);
+    farthest_ = small ? std::sqrt(0.5) : 1.0;
+    for (int i = 0; i < n; ++i) {
+        for (int j = 0; j < n; ++j) {
+            const double s = farthest_ * (2.0 * i / (n - 1) - 1.0);
+            const double t = farthest_ * (2.0 * j / (n - 1) - 1.0);
             const SurfacePoint at = surface_point(surface, patch.u_at(s), patch.v_at(t));
-            const Vector3 from_source = at.point_m - centres.source_m;
-            const double r1 = from_source.norm();
-            Vector3 pull = from_source / r1 + (at.point_m - centres.rx_m).normalized();
-            if (cosine_m > 0.0) pull += cosine_m / (r1 * r1) * from_source;
-            const double along_u = pull.dot(at.along_u), along_v = pull.dot(at.along_v);
-            rates.u = std::max(rates.u, std::abs(along_u) * std::sqrt(1.0 - s * s));
-            rates.v = std::max(rates.v, std::abs(along_v) * std::sqrt(1.0 - t * t));
-            rates.spread_u.take(along_u);
-            rates.spread_v.take(along_v);
+            const Vector3 from_source = at.point_m - source_m;
+            const double r = from_source.norm();
+            const double u = from_source.dot(at.along_u) / r, v = from_source.dot(at.along_v) / r;
+            looks_[n_looks_++] = {at,   std::sqrt(1.0 - s * s), std::sqrt(1.0 - t * t), u, v, u / r,
+                                  v / r};
         }
+    }
+}
+
+Rates Looks::rates(const Vector3& rx_m, double cosine_m) const {
+    Rates rates;
+    rates.size_m = size_m_;
+    rates.distance_m = std::min(from_source_m_, (middle_m_ - rx_m).norm());
+    rates.farthest = farthest_;
+    for (const Look& look : std::span(looks_).first(n_looks_)) {
+        const Vector3 from_rx = (look.at.point_m - rx_m).normalized();
+        const double u =
+            look.from_source_u + cosine_m * look.of_cosine_u + from_rx.dot(look.at.along_u);
+        const double v =
+            look.from_source_v + cosine_m * look.of_cosine_v + from_rx.dot(look.at.along_v);
+        rates.u = std::max(rates.u, std::abs(u) * look.spacing_u);
+        rates.v = std::max(rates.v, std::abs(v) * look.spacing_v);
+        rates.spread_u.take(u);
+        rates.spread_v.take(v);
     }
     return rates;
 }
@@ -118,35 +156,62 @@ int thin_points_for(const Phase& phase, double smooth, double error) {
     return for_phase + static_cast<int>(std::ceil(smooth));
 }
 
+/// What a patch asks for of points_needed.
+struct Request {
+    const Surface& surface;
+    const Patch& patch;
+    double wavenumber_rad_m;
+    double share;
+};
+
+PointCount dense_points(const Rates& rates, const Request& asked) {
+    // Seen under a wide angle, a patch is not equally bright all over.
+    const int fewest =
+        rates.size_m * rates.size_m < asked.share * rates.distance_m * rates.distance_m ? 1 : 2;
+    const bool is_triangle = std::holds_alternative<TriangleSurface>(asked.surface);
+    const double k = asked.wavenumber_rad_m;
+    // A triangle's area element grows along u, so one point would sit off its centroid.
+    return {std::max(is_triangle ? 2 : fewest,
+                     points_for(rates.along_u(k, asked.patch.half_u()), asked.share)),
+            std::max(fewest, points_for(rates.along_v(k, asked.patch.half_v()), asked.share))};
+}
+
+PointCount most_of(const PointCount& a, const PointCount& b) {
+    return {std::max(a.u, b.u), std::max(a.v, b.v)};
+}
+
 }  // namespace
 
 PointCount points_needed(const Surface& surface, const Patch& patch, const PhaseCentres& centres,
                          double wavelength_m, double accuracy_db) {
-    const Rates rates = rates_over(surface, patch, centres, 0.0);
-    const double k = two_pi / wavelength_m;
-    const double share = share_of(accuracy_db);
-    // Seen under a wide angle, a patch is not equally bright all over.
-    const int fewest =
-        rates.size_m * rates.size_m < share * rates.distance_m * rates.distance_m ? 1 : 2;
-    const bool is_triangle = std::holds_alternative<TriangleSurface>(surface);
-    // A triangle's area element grows along u, so one point would sit off its centroid.
-    return {std::max(is_triangle ? 2 : fewest, points_for(rates.along_u(k, patch.half_u()), share)),
-            std::max(fewest, points_for(rates.along_v(k, patch.half_v()), share))};
+    const Looks looks(surface, patch, centres.source_m, {&centres.rx_m, 1});
+    return dense_points(looks.rates(centres.rx_m, 0.0),
+                        {surface, patch, two_pi / wavelength_m, share_of(accuracy_db)});
 }
 
-PointCount thin_points_needed(const Surface& surface, const Patch& patch,
-                              const PhaseCentres& centres, const Detail& detail,
+ThinCounts thin_points_needed(const Surface& surface, const Patch& patch, const Vector3& source_m,
+                              std::span<const Vector3> rx_m, const Detail& detail,
                               double accuracy_db) {
-    const double highest_rad_m = detail.centre_rad_m + detail.half_band_rad_m;
-    const double cosine_m = highest_rad_m * detail.layer_path_m / detail.half_band_rad_m;
-    const Rates rates = rates_over(surface, patch, centres, cosine_m);
     const double error = share_of(accuracy_db);
-    // Patterns and spread have their nearest singularity a distance away across the patch.
-    const double away = rates.distance_m / (0.5 * rates.size_m);
-    const double smooth =
-        std::log(1.0 / error) / std::log(away + std::sqrt(away * away + 1.0)) / 2.0;
-    return {thin_points_for(rates.along_u(detail.half_band_rad_m, patch.half_u()), smooth, error),
-            thin_points_for(rates.along_v(detail.half_band_rad_m, patch.half_v()), smooth, error)};
+    const double half_band_rad_m = detail.half_band_rad_m;
+    const double highest_rad_m = detail.centre_rad_m + half_band_rad_m;
+    const double cosine_m = highest_rad_m * detail.layer_path_m / half_band_rad_m;
+    const Looks looks(surface, patch, source_m, rx_m);
+    ThinCounts most{{1, 1}, {1, 1}};
+    for (const Vector3& rx : rx_m) {
+        const PointCount dense =
+            dense_points(looks.rates(rx, 0.0), {surface, patch, highest_rad_m, error});
+        const Rates rates = looks.rates(rx, cosine_m);
+        // Patterns and spread have their nearest singularity a distance away across the patch.
+        const double away = rates.distance_m / (0.5 * rates.size_m);
+        const double smooth =
+            std::log(1.0 / error) / std::log(away + std::sqrt(away * away + 1.0)) / 2.0;
+        const PointCount thin{
+            thin_points_for(rates.along_u(half_band_rad_m, patch.half_u()), smooth, error),
+            thin_points_for(rates.along_v(half_band_rad_m, patch.half_v()), smooth, error)};
+        most = {most_of(most.dense, dense), most_of(most.thin, thin)};
+    }
+    return most;
 }
 
 }  // namespace specula

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "sim/trace/surface.hpp"
 
 namespace specula {
@@ -37,12 +39,19 @@ struct Detail {
     double layer_path_m = 0.0;
 };
 
-/// How many Chebyshev points per axis carry all of the integrand but the phase at one wave number:
-/// the antennas' patterns, the spread, the coefficients, and what the phase at other frequencies of
-/// the band differs.
+/// Points for a sum of phases, and those that carry the rest of the integrand.
+struct ThinCounts {
+    PointCount dense;
+    PointCount thin;
+};
+
+/// `dense` is what points_needed gives at the highest wave number. `thin` is how many Chebyshev
+/// points per axis carry all of the integrand but the phase at one wave number: the antennas'
+/// patterns, the spread, the coefficients, and what the phase at other frequencies of the band
+/// differs. Both as the most demanding of some RX needs them.
 /// @eq  PHYSICS.md#thinned-quadrature
-PointCount thin_points_needed(const Surface& surface, const Patch& patch,
-                              const PhaseCentres& centres, const Detail& detail,
+ThinCounts thin_points_needed(const Surface& surface, const Patch& patch, const Vector3& source_m,
+                              std::span<const Vector3> rx_m, const Detail& detail,
                               double accuracy_db);
 
 }  // namespace specula

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "sim/core/constants.hpp"
-#include "sim/trace/thin_nodes.hpp"
 #include "sim/trace/thin_plate.hpp"
+#include "sim/trace/thin_points.hpp"
 
 namespace specula {
 
@@ -34,14 +34,14 @@ double area_m2(const Surface& surface) {
     return 4.0 * surface_point(surface, 0.0, 0.0).area_normal().norm();
 }
 
-double cell_side_m(const Body& body, double correlation_m) {
-    double total_m2 = 0.0;
-    for (const Surface& surface : body.surfaces) total_m2 += area_m2(surface);
+double cell_side_m(double total_m2, double correlation_m) {
     return std::max({smallest_cell_m, correlation_m, std::sqrt(total_m2 / most_cells)});
 }
 
 std::vector<Cell> cells_of(const Body& body, const PlacedAntenna& tx, double correlation_m) {
-    const double side_m = cell_side_m(body, correlation_m);
+    double total_m2 = 0.0;
+    for (const Surface& surface : body.surfaces) total_m2 += area_m2(surface);
+    const double side_m = cell_side_m(total_m2, correlation_m);
     const NodeLighter lit_by(tx);
     std::vector<Cell> cells;
     for (const Surface& surface : body.surfaces) {
@@ -78,25 +78,23 @@ void add_cell(const Cell& cell, const NodeViewer& seen_from, bool clear, PairSca
     pair.weight[2].push_back(view.weights.tm * spread);
 }
 
+RouteScatter empty_route(const RoughLayer& layer, std::size_t n_rx) {
+    RouteScatter route{.route = {.before = {},
+                                 .body = layer.body,
+                                 .from_behind = false,
+                                 .after = {},
+                                 .rough_face = layer.face},
+                       .rx = std::vector<PairScatter>(n_rx)};
+    for (PairScatter& pair : route.rx) pair.weight.resize(route.route.n_weights());
+    return route;
+}
+
 /// Middles of n equal parts of [-1, 1], seen from n_thin Chebyshev points.
 ThinPoints::Axis cell_axis(int n, int n_thin) {
     std::vector<double> middles;
     for (int i = 0; i < n; ++i) middles.push_back((2.0 * i + 1.0) / n - 1.0);
     const std::vector<double> alike(middles.size(), 1.0);
-    return thin_axis({-1.0, 1.0}, n_thin, std::move(middles), alike);
-}
-
-/// How many thin points all RX together need.
-PointCount thin_count(const Surface& surface, const AntennaSet& antennas,
-                      const TraceSettings& settings) {
-    PointCount most{1, 1};
-    for (const PlacedAntenna& rx : antennas.rx) {
-        const PointCount needed =
-            thin_points_needed(surface, {}, {antennas.tx.position_m, rx.position_m},
-                               detail_of(settings), settings.accuracy_db);
-        most = {std::max(most.u, needed.u), std::max(most.v, needed.v)};
-    }
-    return most;
+    return thin_axis({-1.0, 1.0, n_thin}, std::move(middles), alike);
 }
 
 /// Thin points must be fewer than this share of the cells.
@@ -104,55 +102,44 @@ constexpr double worth_while_of_cells = 0.5;
 
 }  // namespace
 
-std::optional<RouteScatter> drawn_thin_cells(const Target& target, const AntennaSet& antennas,
-                                             const RoughLayer& layer, const TraceSettings& settings,
+std::optional<RouteScatter> drawn_thin_cells(ThinPlate& plate, const RoughLayer& layer,
                                              Stream& piece) {
-    if (!thinnable_plate(target, antennas, settings)) return std::nullopt;
-    const Surface& surface = target.faces()[0].surfaces[0];
+    const Surface surface = plate.surface();
     const SurfacePoint middle = surface_point(surface, 0.0, 0.0);
-    const double side_m = cell_side_m(target.bodies()[0], layer.correlation_m);
+    const double side_m = cell_side_m(area_m2(surface), layer.correlation_m);
     const int n_u = n_along(middle.along_u, side_m), n_v = n_along(middle.along_v, side_m);
-    const PointCount thin = thin_count(surface, antennas, settings);
+    const PointCount thin = plate.counts().thin;
     if (thin.u * thin.v > worth_while_of_cells * n_u * n_v) return std::nullopt;
-    const ThinPoints points(surface, cell_axis(n_u, thin.u), cell_axis(n_v, thin.v));
-    const std::vector<LitNode> lit = lit_nodes(surface, points, antennas.tx);
-    const double centre_rad_m = detail_of(settings).centre_rad_m;
-
-    RouteScatter route{.route = {.before = {},
-                                 .body = layer.body,
-                                 .from_behind = false,
-                                 .after = {},
-                                 .rough_face = layer.face},
-                       .rx = std::vector<PairScatter>(antennas.rx.size())};
-    std::vector<std::vector<NodeView>> views;
-    for (const PlacedAntenna& rx : antennas.rx) {
-        const NodeViewer seen_from(rx);
-        views.emplace_back();
-        for (const LitNode& node : lit) {
-            views.back().push_back(seen_from(node));
-            const double cosine = cosine_between(node, views.back().back());
+    const auto& [lit, seen] = plate.nodes();
+    for (const std::vector<NodeView>& views : seen)
+        for (std::size_t i = 0; i < lit.size(); ++i) {
+            const double cosine = cosine_between(lit[i], views[i]);
             if (cosine * cosine < grazing_cos_squared) return std::nullopt;  // a kink lies there
         }
-    }
+
     // A pair of normal numbers over sqrt(2) is an amplitude of mean square 1 and an even phase.
     std::vector<double> numbers(2 * static_cast<std::size_t>(n_u) * static_cast<std::size_t>(n_v));
     piece.fill_normal(numbers);
     std::vector<std::complex<double>> amplitudes;
+    amplitudes.reserve(numbers.size() / 2);
     for (std::size_t i = 0; i < numbers.size(); i += 2)
         amplitudes.push_back(std::sqrt(0.5) * std::complex<double>(numbers[i], numbers[i + 1]));
+
+    const AntennaSet& antennas = plate.antennas();
+    RouteScatter route = empty_route(layer, antennas.rx.size());
+    const ThinPoints points(surface, cell_axis(n_u, thin.u), cell_axis(n_v, thin.v));
     for (std::size_t rx = 0; rx < antennas.rx.size(); ++rx) {
         const auto sums = points.weights({antennas.tx.position_m, antennas.rx[rx].position_m},
-                                         centre_rad_m, amplitudes);
-        route.rx[rx].weight.resize(route.route.n_weights());
+                                         plate.detail().centre_rad_m, amplitudes);
         for (std::size_t i = 0; i < lit.size(); ++i) {
-            const NodeView& view = views[rx][i];
+            const NodeView& view = seen[rx][i];
             const double cosine = cosine_between(lit[i], view);
             const double cell_m2 = lit[i].stretch_m2 * 4.0 / (n_u * n_v);
             append(lit[i], view,
                    {.sum = sums[i],
                     .spread = std::sqrt(cell_m2) / (lit[i].r1_m * view.r2_m * cosine * cosine),
                     .cos_incidence = cosine,
-                    .centre_rad_m = centre_rad_m},
+                    .centre_rad_m = plate.detail().centre_rad_m},
                    route.rx[rx]);
         }
         // The unreflected part scatters forwards only.
@@ -172,21 +159,13 @@ RouteScatter diffuse_cells(const Target& target, const AntennaSet& antennas,
     const bool may_hide = !plate || !is_seen_whole(*plate, antennas);
     if (may_hide) target.geometry().shadow(antennas.tx.position_m, places, lit);
 
-    RouteScatter route{.route = {.before = {},
-                                 .body = layer.body,
-                                 .from_behind = false,
-                                 .after = {},
-                                 .rough_face = layer.face},
-                       .rx = {}};
-    for (const PlacedAntenna& rx : antennas.rx) {
+    RouteScatter route = empty_route(layer, antennas.rx.size());
+    for (std::size_t rx = 0; rx < antennas.rx.size(); ++rx) {
         std::vector<char> clear = lit;
-        if (may_hide) target.geometry().shadow(rx.position_m, places, clear);
-        PairScatter pair;
-        pair.weight.resize(route.route.n_weights());
-        const NodeViewer seen_from(rx);
+        if (may_hide) target.geometry().shadow(antennas.rx[rx].position_m, places, clear);
+        const NodeViewer seen_from(antennas.rx[rx]);
         for (std::size_t i = 0; i < cells.size(); ++i)
-            add_cell(cells[i], seen_from, clear[i] != 0, pair);
-        route.rx.push_back(std::move(pair));
+            add_cell(cells[i], seen_from, clear[i] != 0, route.rx[rx]);
     }
     return route;
 }

@@ -6,7 +6,7 @@
 #include "sim/trace/placed_antenna.hpp"
 #include "sim/trace/scatter.hpp"
 #include "sim/trace/target.hpp"
-#include "sim/trace/trace.hpp"
+#include "sim/trace/thin_plate.hpp"
 
 namespace specula {
 
@@ -35,10 +35,9 @@ RouteScatter diffuse_cells(const Target& target, const AntennaSet& antennas,
 void draw_speckle(RouteScatter& cells, Stream& piece);
 
 /// The same cells, drawn, of a plate by itself: the phase at the middle of the band and the cells'
-/// amplitudes are summed into few points (thin_plate.hpp). Nothing where that is not possible or
-/// saves nothing; the stream is then as it was.
-std::optional<RouteScatter> drawn_thin_cells(const Target& target, const AntennaSet& antennas,
-                                             const RoughLayer& layer, const TraceSettings& settings,
+/// amplitudes are summed into few points. Nothing where that is not possible or saves nothing; the
+/// stream is then as it was.
+std::optional<RouteScatter> drawn_thin_cells(ThinPlate& plate, const RoughLayer& layer,
                                              Stream& piece);
 
 /// The smallest side of a cell.

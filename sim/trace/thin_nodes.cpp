@@ -21,15 +21,6 @@ LitNode NodeLighter::operator()(const SurfacePoint& at) const {
     return node;
 }
 
-std::vector<LitNode> lit_nodes(const Surface& surface, const ThinPoints& points,
-                               const PlacedAntenna& tx) {
-    const NodeLighter lit_by(tx);
-    std::vector<LitNode> lit;
-    lit.reserve(points.nodes().size());
-    for (const auto& [u, v] : points.nodes()) lit.push_back(lit_by(surface_point(surface, u, v)));
-    return lit;
-}
-
 NodeView NodeViewer::operator()(const LitNode& node) const {
     const Vector3 to_rx = rx_.position_m - node.point_m;
     NodeView view{.r2_m = to_rx.norm(), .to_rx = {}, .weights = {}};
@@ -43,9 +34,26 @@ NodeView NodeViewer::operator()(const LitNode& node) const {
     return view;
 }
 
+ThinNodes thin_nodes(const Surface& surface, const Patch& patch, const PointCount& thin,
+                     const AntennaSet& antennas) {
+    const std::vector<double> along_u = ChebyshevGrid{patch.u[0], patch.u[1], thin.u}.nodes();
+    const NodeLighter lit_by(antennas.tx);
+    ThinNodes nodes;
+    nodes.lit.reserve(static_cast<std::size_t>(thin.u * thin.v));
+    for (const double v : ChebyshevGrid{patch.v[0], patch.v[1], thin.v}.nodes())
+        for (const double u : along_u) nodes.lit.push_back(lit_by(surface_point(surface, u, v)));
+    for (const PlacedAntenna& rx : antennas.rx) {
+        const NodeViewer seen_from(rx);
+        std::vector<NodeView>& seen = nodes.seen.emplace_back();
+        seen.reserve(nodes.lit.size());
+        for (const LitNode& node : nodes.lit) seen.push_back(seen_from(node));
+    }
+    return nodes;
+}
+
 void append(const LitNode& node, const NodeView& view, const NodeSum& sum, PairScatter& pair) {
     const double path_m = node.r1_m + view.r2_m;
-    const double spread = std::abs(sum.sum) * sum.spread;
+    const double spread = std::sqrt(std::norm(sum.sum)) * sum.spread;
     pair.path_m.push_back(path_m);
     pair.phase_rad.push_back(std::arg(sum.sum) + sum.centre_rad_m * path_m);
     pair.cos_incidence.push_back(std::min(1.0, sum.cos_incidence));

@@ -30,10 +30,6 @@ class NodeLighter {
     FieldPattern pattern_;
 };
 
-/// The thin points of a lone plate.
-std::vector<LitNode> lit_nodes(const Surface& surface, const ThinPoints& points,
-                               const PlacedAntenna& tx);
-
 /// A lit node and one RX.
 struct NodeView {
     double r2_m;
@@ -51,6 +47,14 @@ class NodeViewer {
     const PlacedAntenna& rx_;
     FieldPattern pattern_;
 };
+
+/// The few Chebyshev points of a patch, lit by TX and seen by every RX.
+struct ThinNodes {
+    std::vector<LitNode> lit;                 ///< (v, u)
+    std::vector<std::vector<NodeView>> seen;  ///< (rx, node)
+};
+ThinNodes thin_nodes(const Surface& surface, const Patch& patch, const PointCount& thin,
+                     const AntennaSet& antennas);
 
 /// Appends a node to a pair: complex `sum` of the dense points' waves, `spread` what else the
 /// weights are multiplied with. The node's own phase at the band's centre is taken out again.

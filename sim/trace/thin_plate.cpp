@@ -5,14 +5,21 @@
 
 #include "sim/core/constants.hpp"
 #include "sim/trace/gauss_legendre.hpp"
-#include "sim/trace/thin_nodes.hpp"
+#include "sim/trace/thin_points.hpp"
 
 namespace specula {
 
 namespace {
 
-/// Few points pay where they are fewer than this share of many.
-constexpr double worth_while = 0.4;
+/// Do few points pay, being fewer than a share of the many?
+bool is_worth_while(const ThinCounts& counts) {
+    constexpr double largest_share = 0.4;
+    return counts.thin.u * counts.thin.v <= largest_share * counts.dense.u * counts.dense.v;
+}
+
+bool is_too_dense(const PointCount& dense) {
+    return dense.u > largest_gauss_rule || dense.v > largest_gauss_rule;
+}
 
 /// Height of a point over the plate's surface continued beyond its rim, in the plate's frame.
 double height_over(const PlateSurface& plate, const Vector3& point_m) {
@@ -34,79 +41,14 @@ bool is_smooth_over(const PlateSurface& plate, const PlacedAntenna& antenna) {
     return true;
 }
 
-class ThinPlate {
-  public:
-    ThinPlate(const Target& target, const AntennaSet& antennas, const TraceSettings& settings)
-        : surface_(target.faces()[0].surfaces[0]),
-          antennas_(antennas),
-          settings_(settings),
-          is_opaque_(target.bodies()[0].opaque),
-          detail_(detail_of(settings)) {
-        route_.rx.resize(antennas.rx.size());
-        for (PairScatter& pair : route_.rx) pair.weight.resize(route_.route.n_weights());
-    }
-
-    /// False where few points are not worth while.
-    bool add(const Patch& patch) {
-        ThinPoints::Counts counts{{1, 1}, {1, 1}};
-        for (const PlacedAntenna& rx : antennas_.rx) {
-            const PhaseCentres centres{antennas_.tx.position_m, rx.position_m};
-            const PointCount dense =
-                points_needed(surface_, patch, centres, speed_of_light_m_s / settings_.highest_hz,
-                              settings_.accuracy_db);
-            const PointCount thin =
-                thin_points_needed(surface_, patch, centres, detail_, settings_.accuracy_db);
-            counts.dense = {std::max(counts.dense.u, dense.u), std::max(counts.dense.v, dense.v)};
-            counts.thin = {std::max(counts.thin.u, thin.u), std::max(counts.thin.v, thin.v)};
-        }
-        const PointCount& dense = counts.dense;
-        if (dense.u > largest_gauss_rule || dense.v > largest_gauss_rule)
-            return add_halves(patch, dense.u > dense.v);
-        if (counts.thin.u * counts.thin.v > worth_while * dense.u * dense.v) return false;
-        const ThinPoints points = ThinPoints::of_patch(surface_, patch, counts);
-        const std::vector<LitNode> lit = lit_nodes(surface_, points, antennas_.tx);
-        route_.route.from_behind = lit.front().at_back && !is_opaque_;
-        for (std::size_t rx = 0; rx < antennas_.rx.size(); ++rx) add_pair(points, lit, rx);
-        return true;
-    }
-
-    Scatter take() {
-        return {.n_rx = static_cast<int>(antennas_.rx.size()), .routes = {std::move(route_)}};
-    }
-
-  private:
-    bool add_halves(const Patch& patch, bool across_u) {
-        Patch first = patch, second = patch;
-        if (across_u)
-            first.u[1] = second.u[0] = patch.u_at(0.0);
-        else
-            first.v[1] = second.v[0] = patch.v_at(0.0);
-        return add(first) && add(second);
-    }
-
-    void add_pair(const ThinPoints& points, const std::vector<LitNode>& lit, std::size_t rx) {
-        const PlacedAntenna& receiver = antennas_.rx[rx];
-        const auto sums =
-            points.weights({antennas_.tx.position_m, receiver.position_m}, detail_.centre_rad_m);
-        const NodeViewer seen_from(receiver);
-        for (std::size_t i = 0; i < lit.size(); ++i) {
-            const NodeView view = seen_from(lit[i]);
-            append(lit[i], view,
-                   {.sum = sums[i],
-                    .spread = lit[i].stretch_m2 / (lit[i].r1_m * view.r2_m),
-                    .cos_incidence = -lit[i].arriving.dot(lit[i].normal),
-                    .centre_rad_m = detail_.centre_rad_m},
-                   route_.rx[rx]);
-        }
-    }
-
-    const Surface& surface_;
-    const AntennaSet& antennas_;
-    const TraceSettings& settings_;
-    bool is_opaque_;
-    Detail detail_;
-    RouteScatter route_;
-};
+/// What turns the integrand over the band of the settings.
+Detail detail_of(const TraceSettings& settings) {
+    const double low = two_pi * settings.lowest_hz / speed_of_light_m_s;
+    const double high = two_pi * settings.highest_hz / speed_of_light_m_s;
+    return {.centre_rad_m = 0.5 * (low + high),
+            .half_band_rad_m = 0.5 * (high - low),
+            .layer_path_m = settings.layer_path_m};
+}
 
 }  // namespace
 
@@ -127,32 +69,86 @@ bool is_seen_whole(const PlateSurface& plate, const AntennaSet& antennas) {
     return true;
 }
 
-const PlateSurface* thinnable_plate(const Target& target, const AntennaSet& antennas,
-                                    const TraceSettings& settings) {
+std::optional<ThinPlate> ThinPlate::of(const Target& target, const AntennaSet& antennas,
+                                       const TraceSettings& settings) {
     const PlateSurface* plate = target.lone_plate();
     const bool has_band = settings.lowest_hz > 0.0 && settings.lowest_hz < settings.highest_hz;
-    if (!plate || !has_band || !is_seen_whole(*plate, antennas)) return nullptr;
-    if (!is_smooth_over(*plate, antennas.tx)) return nullptr;
+    if (!plate || !has_band || !is_seen_whole(*plate, antennas)) return std::nullopt;
+    if (!is_smooth_over(*plate, antennas.tx)) return std::nullopt;
     for (const PlacedAntenna& rx : antennas.rx)
-        if (!is_smooth_over(*plate, rx)) return nullptr;
-    return plate;
+        if (!is_smooth_over(*plate, rx)) return std::nullopt;
+    return ThinPlate(*plate, target.bodies()[0].opaque, antennas, settings);
 }
 
-Detail detail_of(const TraceSettings& settings) {
-    const double low = two_pi * settings.lowest_hz / speed_of_light_m_s;
-    const double high = two_pi * settings.highest_hz / speed_of_light_m_s;
-    return {.centre_rad_m = 0.5 * (low + high),
-            .half_band_rad_m = 0.5 * (high - low),
-            .layer_path_m = settings.layer_path_m};
+ThinPlate::ThinPlate(const PlateSurface& plate, bool is_opaque, const AntennaSet& antennas,
+                     const TraceSettings& settings)
+    : plate_(&plate),
+      is_opaque_(is_opaque),
+      antennas_(&antennas),
+      accuracy_db_(settings.accuracy_db),
+      detail_(detail_of(settings)) {
+    for (const PlacedAntenna& rx : antennas.rx) rx_m_.push_back(rx.position_m);
+    counts_ = counts_of({});
 }
 
-std::optional<Scatter> trace_thin_plate(const Target& target, const AntennaSet& antennas,
-                                        const TraceSettings& settings) {
-    if (!thinnable_plate(target, antennas, settings)) return std::nullopt;
-    ThinPlate thin(target, antennas, settings);
-    for (const Patch& patch : patches_of(target.faces()[0].surfaces[0]))
-        if (!thin.add(patch)) return std::nullopt;
-    return thin.take();
+ThinCounts ThinPlate::counts_of(const Patch& patch) const {
+    return thin_points_needed(*plate_, patch, antennas_->tx.position_m, rx_m_, detail_,
+                              accuracy_db_);
+}
+
+const ThinNodes& ThinPlate::nodes() {
+    if (!nodes_) nodes_ = thin_nodes(*plate_, {}, counts_.thin, *antennas_);
+    return *nodes_;
+}
+
+std::optional<Scatter> ThinPlate::echo() {
+    RouteScatter route;
+    route.rx.resize(rx_m_.size());
+    for (PairScatter& pair : route.rx) pair.weight.resize(route.route.n_weights());
+    if (is_too_dense(counts_.dense)) {
+        if (!add_halves({}, counts_.dense, route)) return std::nullopt;
+    } else {
+        if (!is_worth_while(counts_)) return std::nullopt;
+        add_points({}, counts_, nodes(), route);
+    }
+    return Scatter{.n_rx = static_cast<int>(rx_m_.size()), .routes = {std::move(route)}};
+}
+
+bool ThinPlate::add(const Patch& patch, RouteScatter& route) const {
+    const ThinCounts counts = counts_of(patch);
+    if (is_too_dense(counts.dense)) return add_halves(patch, counts.dense, route);
+    if (!is_worth_while(counts)) return false;
+    add_points(patch, counts, thin_nodes(*plate_, patch, counts.thin, *antennas_), route);
+    return true;
+}
+
+bool ThinPlate::add_halves(const Patch& patch, const PointCount& dense, RouteScatter& route) const {
+    Patch first = patch, second = patch;
+    if (dense.u > dense.v)
+        first.u[1] = second.u[0] = patch.u_at(0.0);
+    else
+        first.v[1] = second.v[0] = patch.v_at(0.0);
+    return add(first, route) && add(second, route);
+}
+
+void ThinPlate::add_points(const Patch& patch, const ThinCounts& counts, const ThinNodes& nodes,
+                           RouteScatter& route) const {
+    const ThinPoints points = ThinPoints::of_patch(*plate_, patch, counts);
+    route.route.from_behind = nodes.lit.front().at_back && !is_opaque_;
+    for (std::size_t rx = 0; rx < rx_m_.size(); ++rx) {
+        const auto sums =
+            points.weights({antennas_->tx.position_m, rx_m_[rx]}, detail_.centre_rad_m);
+        for (std::size_t i = 0; i < nodes.lit.size(); ++i) {
+            const LitNode& node = nodes.lit[i];
+            const NodeView& view = nodes.seen[rx][i];
+            append(node, view,
+                   {.sum = sums[i],
+                    .spread = node.stretch_m2 / (node.r1_m * view.r2_m),
+                    .cos_incidence = -node.arriving.dot(node.normal),
+                    .centre_rad_m = detail_.centre_rad_m},
+                   route.rx[rx]);
+        }
+    }
 }
 
 }  // namespace specula

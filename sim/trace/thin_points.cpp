@@ -18,7 +18,7 @@ ThinPoints::Axis axis_of(const double (&ends)[2], int n_dense, int n_thin) {
         dense.push_back(0.5 * ((high - low) * rule.nodes[i] + low + high));
         weights.push_back(0.5 * (high - low) * rule.weights[i]);
     }
-    return thin_axis({low, high}, n_thin, std::move(dense), weights);
+    return thin_axis({low, high, n_thin}, std::move(dense), weights);
 }
 
 /// Without the derivatives.
@@ -31,38 +31,20 @@ Vector3 place_on(const Surface& surface, double u, double v) {
 
 }  // namespace
 
-ThinPoints::Axis thin_axis(const AxisInterval& interval, int n_thin, std::vector<double> dense,
+ThinPoints::Axis thin_axis(const ChebyshevGrid& thin, std::vector<double> dense,
                            const std::vector<double>& weights) {
-    const auto [low, high] = interval;
-    const auto n = static_cast<std::size_t>(n_thin);
-    ThinPoints::Axis axis{.dense = std::move(dense), .thin = {}, .lagrange = {}};
-    std::vector<double> share;
-    for (std::size_t k = 0; k < n; ++k) {
-        const double angle = pi * (static_cast<double>(k) + 0.5) / n_thin;
-        axis.thin.push_back(0.5 * (low + high) + 0.5 * (high - low) * std::cos(angle));
-        share.push_back((k % 2 == 0 ? 1.0 : -1.0) * std::sin(angle));
-    }
-    // Barycentric form (Berrut and Trefethen 2004).
-    axis.lagrange.resize(axis.dense.size() * n);
-    for (std::size_t i = 0; i < axis.dense.size(); ++i) {
-        double* row = &axis.lagrange[i * n];
-        double sum = 0.0;
-        for (std::size_t k = 0; k < n; ++k) {
-            const double distance = axis.dense[i] - axis.thin[k];
-            if (distance == 0.0) {
-                std::fill(row, row + n, 0.0);
-                row[k] = sum = 1.0;
-                break;
-            }
-            row[k] = share[k] / distance;
-            sum += row[k];
-        }
-        for (std::size_t k = 0; k < n; ++k) row[k] *= weights[i] / sum;
-    }
+    const std::vector<double> by_node = interpolation_matrix(thin, dense);
+    const std::size_t n_dense = dense.size(), n_thin = static_cast<std::size_t>(thin.n);
+    ThinPoints::Axis axis{.dense = std::move(dense), .n_thin = n_thin, .lagrange = {}};
+    axis.lagrange.resize(n_dense * n_thin);
+    for (std::size_t i = 0; i < n_dense; ++i)
+        for (std::size_t k = 0; k < n_thin; ++k)
+            axis.lagrange[i * n_thin + k] = by_node[k * n_dense + i] * weights[i];
     return axis;
 }
 
-ThinPoints ThinPoints::of_patch(const Surface& surface, const Patch& patch, const Counts& counts) {
+ThinPoints ThinPoints::of_patch(const Surface& surface, const Patch& patch,
+                                const ThinCounts& counts) {
     return {surface, axis_of(patch.u, counts.dense.u, counts.thin.u),
             axis_of(patch.v, counts.dense.v, counts.thin.v)};
 }
@@ -80,8 +62,6 @@ ThinPoints::ThinPoints(const Surface& surface, Axis u, Axis v)
             y_[j * row_ + i] = point.y();
             z_[j * row_ + i] = point.z();
         }
-    for (const double at_v : v_.thin)
-        for (const double at_u : u_.thin) nodes_.push_back({at_u, at_v});
 }
 
 /// @out  waves  (v; real parts by u, imaginary parts by u)
@@ -100,7 +80,7 @@ void ThinPoints::fill_waves(const PhaseCentres& centres, double wavenumber_rad_m
 
 /// Along v first, then along u.
 std::vector<std::complex<double>> ThinPoints::gathered(std::vector<double>& waves) const {
-    const std::size_t n_u = u_.thin.size(), n_v = v_.thin.size();
+    const std::size_t n_u = u_.n_thin, n_v = v_.n_thin;
     std::vector<double> rows(n_v * 2 * row_);
     kernels().add_products({v_.dense.size(), n_v, 2 * row_}, v_.lagrange.data(), waves.data(),
                            rows.data());

@@ -3,6 +3,7 @@
 #include <complex>
 #include <vector>
 
+#include "sim/core/chebyshev.hpp"
 #include "sim/trace/quadrature.hpp"
 
 namespace specula {
@@ -15,27 +16,19 @@ namespace specula {
 /// @eq PHYSICS.md#thinned-quadrature
 class ThinPoints {
   public:
-    struct Counts {
-        PointCount dense;  ///< each at most largest_gauss_rule
-        PointCount thin;
-    };
     /// Gauss-Legendre points for an integral over the patch's parameters u and v.
-    static ThinPoints of_patch(const Surface& surface, const Patch& patch, const Counts& counts);
+    /// @in  counts  dense: each at most largest_gauss_rule
+    static ThinPoints of_patch(const Surface& surface, const Patch& patch,
+                               const ThinCounts& counts);
 
-    /// Where smooth factors are asked for: parameters of the surface, (v, u).
-    struct Node {
-        double u;
-        double v;
-    };
-    const std::vector<Node>& nodes() const { return nodes_; }
-    /// (node) W for these phase centres at a wave number.
+    /// (v, u of the few) W for these phase centres at a wave number.
     std::vector<std::complex<double>> weights(const PhaseCentres& centres,
                                               double wavenumber_rad_m) const;
 
     /// Along one axis: the many points with their weights, seen from the few.
     struct Axis {
-        std::vector<double> dense;     ///< parameters of the many
-        std::vector<double> thin;      ///< parameters of the few
+        std::vector<double> dense;  ///< parameters of the many
+        std::size_t n_thin;
         std::vector<double> lagrange;  ///< (dense, thin), weights included
     };
     /// Any grid; its points lie on the surface at the axes' parameters.
@@ -54,15 +47,11 @@ class ThinPoints {
     Axis u_, v_;
     std::size_t row_;                ///< of the dense grid, padded
     std::vector<double> x_, y_, z_;  ///< (v, u) of the many
-    std::vector<Node> nodes_;
 };
 
-/// Lagrange polynomials through n Chebyshev points of an interval, at other points of it.
-struct AxisInterval {
-    double low;
-    double high;
-};
-ThinPoints::Axis thin_axis(const AxisInterval& interval, int n_thin, std::vector<double> dense,
+/// Lagrange polynomials through the nodes of a grid, at points of its interval, times their
+/// weights.
+ThinPoints::Axis thin_axis(const ChebyshevGrid& thin, std::vector<double> dense,
                            const std::vector<double>& weights);
 
 }  // namespace specula

@@ -192,7 +192,14 @@ Scatter trace_faces(const Target& target, const AntennaSet& antennas,
 
 Scatter trace(const Target& target, const AntennaSet& antennas, const TraceSettings& settings) {
     SPECULA_EXPECT(settings.highest_hz > 0.0 && settings.accuracy_db > 0.0);
-    std::optional<Scatter> thin = trace_thin_plate(target, antennas, settings);
+    std::optional<ThinPlate> plate = ThinPlate::of(target, antennas, settings);
+    return trace(target, antennas, settings, plate);
+}
+
+Scatter trace(const Target& target, const AntennaSet& antennas, const TraceSettings& settings,
+              std::optional<ThinPlate>& plate) {
+    SPECULA_EXPECT(settings.highest_hz > 0.0 && settings.accuracy_db > 0.0);
+    std::optional<Scatter> thin = plate ? plate->echo() : std::nullopt;
     Scatter scatter = thin ? std::move(*thin) : trace_faces(target, antennas, settings);
     if (settings.edge_currents) scatter.edges = trace_edges(target, antennas, settings);
     return scatter;

@@ -1,10 +1,14 @@
 #pragma once
 
+#include <optional>
+
 #include "sim/trace/placed_antenna.hpp"
 #include "sim/trace/scatter.hpp"
 #include "sim/trace/target.hpp"
 
 namespace specula {
+
+class ThinPlate;
 
 /// How far to go.
 struct TraceSettings {
@@ -25,5 +29,8 @@ struct TraceSettings {
 /// @eq PHYSICS.md#surface-integral, #quadrature, #images, #edge-currents
 /// Limit: curved faces pass no wave on to other faces; sheets let waves pass straight on.
 Scatter trace(const Target& target, const AntennaSet& antennas, const TraceSettings& settings);
+/// @in  plate  ThinPlate::of the same, whose nodes others may need too
+Scatter trace(const Target& target, const AntennaSet& antennas, const TraceSettings& settings,
+              std::optional<ThinPlate>& plate);
 
 }  // namespace specula

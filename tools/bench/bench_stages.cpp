@@ -28,9 +28,10 @@ class SessionStages {
     void measure(double share, std::vector<BenchStage>& stages) const {
         const OpenScene open(scene_, library_);
         const RoughBody rough{0, open.reflectors[0], 7};
+        std::optional<ThinPlate> plate = ThinPlate::of(open.target, open.antennas, open.settings);
         const SpeckleScene speckle{open.target, open.antennas, open.comb, scene_.solver.accuracy_db,
-                                   open.settings.layer_path_m};
-        Scatter scatter = trace(open.target, open.antennas, open.settings);
+                                   plate};
+        Scatter scatter = trace(open.target, open.antennas, open.settings, plate);
         Scatter cells{.n_rx = scatter.n_rx, .routes = {}};
         add_speckle(cells, speckle, rough);
         const Scatter coherent = scatter;

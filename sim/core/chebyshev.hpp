@@ -12,6 +12,7 @@ struct ChebyshevGrid {
     int n = 1;
 
     double node(int i) const;
+    std::vector<double> nodes() const;
     /// Maps [low, high] to [-1, 1].
     double unit(double x) const;
 };
@@ -20,15 +21,18 @@ struct ChebyshevGrid {
 /// coefficients J_n(a) fall faster than any power beyond n = a.
 int points_for_phase(double a_rad);
 
-/// Rows (target, node): values at `targets` = matrix * values at the nodes. Barycentric form
-/// (Berrut and Trefethen 2004); a target on a node gets that node alone.
+/// (node, target): value at a target = Sum over the nodes of matrix(node, target) * value there.
+/// Barycentric form (Berrut and Trefethen 2004); a target on a node gets that node alone.
 std::vector<double> interpolation_matrix(const ChebyshevGrid& grid,
                                          std::span<const double> targets);
 
 /// T_0(x) .. T_{n-1}(x) for x in [-1, 1].
 void chebyshev_polynomials(double x, std::span<double> values);
 
-/// Row k of (k, node): coefficient of T_k = Sum_i matrix(k, i) * value at node i.
-std::vector<double> coefficient_matrix(int n);
+/// Row k of (k, node): coefficient of T_k = Sum_i matrix(k, i) * value at node i. Made once for
+/// each n, and kept.
+/// @in  n  1 to most_coefficients
+const std::vector<double>& coefficient_matrix(int n);
+inline constexpr int most_coefficients = 256;
 
 }  // namespace specula

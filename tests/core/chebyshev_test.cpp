@@ -1,4 +1,4 @@
-#include "sim/channel/chebyshev.hpp"
+#include "sim/core/chebyshev.hpp"
 
 #include <cmath>
 #include <complex>
@@ -24,9 +24,8 @@ TEST_CASE("the number of points that a phase asks for interpolates it to 1e-9", 
         for (std::size_t row = 0; row < targets.size(); ++row) {
             std::complex<double> sum = 0.0;
             for (int i = 0; i < grid.n; ++i)
-                sum +=
-                    matrix[row * static_cast<std::size_t>(grid.n) + static_cast<std::size_t>(i)] *
-                    std::polar(1.0, a_rad * grid.node(i));
+                sum += matrix[static_cast<std::size_t>(i) * targets.size() + row] *
+                       std::polar(1.0, a_rad * grid.node(i));
             worst = std::max(worst, std::abs(sum - std::polar(1.0, a_rad * targets[row])));
         }
         INFO("phase " << a_rad << ", " << grid.n << " points");
@@ -53,7 +52,7 @@ TEST_CASE("interpolation on n points is exact for polynomials below degree n", "
         for (std::size_t row = 0; row < targets.size(); ++row) {
             double sum = 0.0;
             for (int i = 0; i < grid.n; ++i)
-                sum += matrix[row * 7 + static_cast<std::size_t>(i)] *
+                sum += matrix[static_cast<std::size_t>(i) * targets.size() + row] *
                        std::pow(grid.unit(grid.node(i)), power);
             worst = std::max(worst, std::abs(sum - std::pow(grid.unit(targets[row]), power)));
         }
