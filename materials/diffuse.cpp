@@ -34,7 +34,7 @@ struct Cut {
     Complex transfer;    ///< change of the whole stack's reflection with that of this face
 };
 
-Cut cut_at(std::size_t number, const std::vector<FaceUnderWave>& faces,
+Cut cut_at(std::size_t number, std::span<const FaceUnderWave> faces,
            Complex Reflection::*polarisation) {
     Cut cut{.reflection = faces[number].reflection.*polarisation, .below = 0.0, .transfer = 1.0};
     Complex below = 0.0;
@@ -64,7 +64,7 @@ std::array<Complex, n_waves> amplitudes_of(const Cut& cut) {
     return amplitudes;
 }
 
-ModulatedWaves waves_at(std::size_t number, const std::vector<FaceUnderWave>& faces, double k) {
+ModulatedWaves waves_at(std::size_t number, std::span<const FaceUnderWave> faces, double k) {
     ModulatedWaves waves;
     const auto te = amplitudes_of(cut_at(number, faces, &Reflection::te));
     const auto tm = amplitudes_of(cut_at(number, faces, &Reflection::tm));
@@ -134,7 +134,8 @@ Reflection without_grain(const Stack& stack, const StackFace& face, double cos_i
     const double k = two_pi * stack.frequency_hz / speed_of_light_m_s;
     const double sin_squared = 1.0 - cos_incidence * cos_incidence;
     const double across = std::pow(k * face.correlation_m, 2) * sin_squared;
-    const std::vector<FaceUnderWave> faces = faces_under_wave(stack, cos_incidence);
+    const FacesUnderWave under(stack, cos_incidence);
+    const std::span<const FaceUnderWave> faces = under.all();
     return spectrum(face, waves_at(static_cast<std::size_t>(face.number), faces, k), across);
 }
 

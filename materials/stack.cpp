@@ -17,7 +17,8 @@ Complex joined(Complex r, Complex below, const FaceLoss& loss) {
 }
 
 Reflection without_grain(const Stack& stack, double cos_incidence) {
-    const std::vector<FaceUnderWave> faces = faces_under_wave(stack, cos_incidence);
+    const FacesUnderWave under(stack, cos_incidence);
+    const std::span<const FaceUnderWave> faces = under.all();
     Reflection below = faces.back().reflection;
     below.te *= faces.back().loss.reflect_above;
     below.tm *= faces.back().loss.reflect_above;

@@ -29,24 +29,25 @@ FaceUnderWave conductor_under(const MediumWave& above, double ks) {
 
 }  // namespace
 
-std::vector<FaceUnderWave> faces_under_wave(const Stack& stack, double cos_incidence) {
+FacesUnderWave::FacesUnderWave(const Stack& stack, double cos_incidence)
+    : n_(stack.layers.size() + 1) {
     static const Electrics air;
+    if (n_ > few_.size()) many_.resize(n_);
+    FaceUnderWave* face = many_.empty() ? few_.data() : many_.data();
     const double sin_squared = 1.0 - cos_incidence * cos_incidence;
     const double k = two_pi * stack.frequency_hz / speed_of_light_m_s;
-    std::vector<FaceUnderWave> faces;
-    faces.reserve(stack.layers.size() + 1);
     MediumWave above = wave_in(air, sin_squared);
     for (const Layer& layer : stack.layers) {
         const MediumWave below = wave_in(layer.medium, sin_squared);
-        faces.push_back(face_between(above, below, k * layer.roughness_m));
-        faces.back().pass = std::exp(Complex(0.0, -k * layer.thickness_m) * below.q);
+        *face = face_between(above, below, k * layer.roughness_m);
+        face->pass = std::exp(Complex(0.0, -k * layer.thickness_m) * below.q);
         above = below;
+        ++face;
     }
     const double ks = k * roughness_m(stack.backing);
     const auto* half_space = std::get_if<HalfSpace>(&stack.backing);
-    faces.push_back(half_space ? face_between(above, wave_in(half_space->medium, sin_squared), ks)
-                               : conductor_under(above, ks));
-    return faces;
+    *face = half_space ? face_between(above, wave_in(half_space->medium, sin_squared), ks)
+                       : conductor_under(above, ks);
 }
 
 }  // namespace specula

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <span>
 #include <vector>
 
 #include "materials/rough_face.hpp"
@@ -18,8 +20,20 @@ struct FaceUnderWave {
 
 /// All faces of a stack, the one towards the radar first, with every wave number, Fresnel
 /// coefficient and round trip worked out once. A grain is not looked at.
-/// @in   cos_incidence  in (0, 1], in air
 /// @eq   PHYSICS.md#fresnel, PHYSICS.md#coherent-roughness
-std::vector<FaceUnderWave> faces_under_wave(const Stack& stack, double cos_incidence);
+class FacesUnderWave {
+  public:
+    /// @in   cos_incidence  in (0, 1], in air
+    FacesUnderWave(const Stack& stack, double cos_incidence);
+
+    std::span<const FaceUnderWave> all() const {
+        return many_.empty() ? std::span<const FaceUnderWave>(few_).first(n_) : many_;
+    }
+
+  private:
+    std::size_t n_;
+    std::array<FaceUnderWave, 4> few_;  ///< no memory is asked for where these do
+    std::vector<FaceUnderWave> many_;
+};
 
 }  // namespace specula

@@ -33,7 +33,8 @@ Below last_face(Complex r, const FaceLoss& loss) {
 Transmission ungrained_transmission(const Stack& stack, double cos_incidence) {
     const auto* backing = std::get_if<HalfSpace>(&stack.backing);
     if (backing == nullptr) return {0.0, 0.0};
-    const std::vector<FaceUnderWave> faces = faces_under_wave(stack, cos_incidence);
+    const FacesUnderWave under(stack, cos_incidence);
+    const std::span<const FaceUnderWave> faces = under.all();
     const FaceUnderWave& bottom = faces.back();
     Below te = last_face(bottom.reflection.te, bottom.loss);
     Below tm = last_face(bottom.reflection.tm, bottom.loss);

@@ -78,7 +78,8 @@ Vector3 field_pattern(const Pattern& pattern, const Vector3& direction) {
     return transverse * (std::sqrt(gain_towards(pattern, direction)) / length);
 }
 
-FieldPattern::FieldPattern(const Pattern& pattern) : pattern_(pattern) {
+FieldPattern::FieldPattern(const Pattern& pattern, const Rotation& rotation)
+    : pattern_(pattern), x_(rotation.col(0)), y_(rotation.col(1)), z_(rotation.col(2)) {
     const auto* patch = std::get_if<PatchPattern>(&pattern);
     if (!patch) return;
     root_peak_ = std::sqrt(linear(patch->gain_dbi));
@@ -97,10 +98,11 @@ double FieldPattern::root_gain(const Vector3& direction) const {
 }
 
 Vector3 FieldPattern::operator()(const Vector3& direction) const {
-    const Vector3 transverse = Vector3::UnitY() - direction.y() * direction;
+    const double along_y = direction.dot(y_);
+    const Vector3 transverse = y_ - along_y * direction;
     const double length = transverse.norm();
     if (length == 0.0) return Vector3::Zero();
-    return transverse * (root_gain(direction) / length);
+    return transverse * (root_gain({direction.dot(x_), along_y, direction.dot(z_)}) / length);
 }
 
 }  // namespace specula

@@ -47,17 +47,21 @@ inline constexpr double largest_radiated_share = 1.01;
 /// @in  direction  unit, leaving the antenna, radar frame
 Vector3 field_pattern(const Pattern& pattern, const Vector3& direction);
 
-/// field_pattern for many directions: what does not depend on them is worked out once.
+/// field_pattern of an antenna turned in the scene, for many directions: what does not depend on
+/// them is worked out once.
 class FieldPattern {
   public:
     /// Borrows the pattern.
-    explicit FieldPattern(const Pattern& pattern);
+    /// @in  rotation  from the antenna's own frame to the scene's
+    FieldPattern(const Pattern& pattern, const Rotation& rotation);
+    /// Both in the scene's frame.
     Vector3 operator()(const Vector3& direction) const;
 
   private:
-    double root_gain(const Vector3& direction) const;
+    double root_gain(const Vector3& own_direction) const;
 
     const Pattern& pattern_;
+    Vector3 x_, y_, z_;       ///< axes of the antenna
     double root_peak_ = 1.0;  ///< of a patch, like its exponents
     double azimuth_exponent_ = 0.0;
     double elevation_exponent_ = 0.0;

@@ -118,7 +118,7 @@ void add_eventful(const RouteScatter& scatter, std::span<const Reflector> reflec
                     at[e] = value_of(series[e], grids[e], pair.event_cosine[e][point]);
                 const TeTm currents =
                     value_of(series.back(), grids.back(), pair.cos_incidence[point]);
-                sum += std::polar(1.0, pair.phase_at(point) - k * pair.path_m[point]) *
+                sum += pair.wave(point, k) *
                        point_sum(pair, point, at, scatter.route.before.size(), currents);
             }
             channel.of_rx(rx)[i] += surface_factor * sum;
@@ -187,7 +187,7 @@ Complex direct_sum(const Scatter& scatter, int rx, std::span<const Reflector> re
         for (std::size_t point = 0; point < pair.path_m.size(); ++point) {
             for (std::size_t e = 0; e < events.size(); ++e)
                 at[e] = coefficients_of(events[e], stacks[e], pair.event_cosine[e][point]);
-            sum += std::polar(1.0, pair.phase_at(point) - k * pair.path_m[point]) *
+            sum += pair.wave(point, k) *
                    point_sum(pair, point, at, route.route.before.size(),
                              coefficients_of(currents, currents_stack, pair.cos_incidence[point]));
         }

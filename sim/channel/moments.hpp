@@ -12,11 +12,12 @@ namespace specula {
 struct MomentGrid {
     ChebyshevGrid frequency_hz;   ///< nodes at which the sums are made
     ChebyshevGrid cos_incidence;  ///< interval and number of polynomials
-    double reference_path_m;      ///< taken out of every phase
+    double reference_path_m;      ///< taken out of what the frequency turns
 };
 
 /// Sums over the points of a pair on a route without events, with no material in them:
-/// S_p(f) = Sum_i weight_i T_p(cos_i) exp(j phase_i - jk(f) (path_i - reference)).
+/// S_p(f) = Sum_i weight_i T_p(cos_i) wave_i(k_m) exp(-j(k(f) - k_m) (path_i - reference)),
+/// k_m at the middle of the interval of frequencies, wave_i as PairScatter::wave.
 /// The incident part has one polynomial only. Layout (polynomial, frequency node).
 struct Moments {
     std::vector<std::complex<double>> incident;  ///< (frequency)

@@ -65,13 +65,11 @@ void RouteCollector::add_straight(const WeightedPoint& point, int body, const St
     const double r1 = (point.point_m - tx.position_m).norm();
     const Vector3 to_rx = receiver.position_m - point.point_m;
     const double r2 = to_rx.norm();
-    const BounceWeights w = bounce_weights(
-        {.to_point = way.arriving,
-         .to_rx = to_rx / r2,
-         .normal = way.normal,
-         .tx_field = tx.rotation * tx_pattern_(tx.rotation.transpose() * way.arriving),
-         .rx_field =
-             receiver.rotation * rx_patterns_[rx](receiver.rotation.transpose() * (-to_rx / r2))});
+    const BounceWeights w = bounce_weights({.to_point = way.arriving,
+                                            .to_rx = to_rx / r2,
+                                            .normal = way.normal,
+                                            .tx_field = tx_pattern_(way.arriving),
+                                            .rx_field = rx_patterns_[rx](-to_rx / r2)});
     const double spread = point.area_m2 / (r1 * r2);
     PairScatter& pair =
         pair_of({.before = {}, .body = body, .from_behind = way.from_behind, .after = {}}, rx);

@@ -10,9 +10,12 @@ namespace specula {
 class RouteCollector {
   public:
     RouteCollector(const Target& target, const AntennaSet& antennas)
-        : target_(target), antennas_(antennas), tx_pattern_(antennas.tx.pattern) {
+        : target_(target),
+          antennas_(antennas),
+          tx_pattern_(antennas.tx.pattern, antennas.tx.rotation) {
         scatter_.n_rx = static_cast<int>(antennas.rx.size());
-        for (const PlacedAntenna& rx : antennas.rx) rx_patterns_.emplace_back(rx.pattern);
+        for (const PlacedAntenna& rx : antennas.rx)
+            rx_patterns_.emplace_back(rx.pattern, rx.rotation);
     }
 
     /// A point that the wave reaches and leaves straight.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <complex>
 #include <vector>
 
 namespace specula {
@@ -33,8 +34,8 @@ struct Route {
 
 /// The surface integral of one (tx, rx) pair along one route, as a sum over points, geometry only:
 ///
-/// h(f) = -j/(8 pi) Sum_points exp(-jk path) Sum_w weight_w Product of the coefficients that w
-/// names
+/// h(f) = -j/(8 pi) Sum_points factor exp(-j(k - centre) path) Sum_w weight_w Product of the
+/// coefficients that w names
 ///
 /// Weight w counts, from its lowest bits: TE or TM of the events `after`, then incident / TE / TM
 /// of the currents, then TE or TM of the events `before`.
@@ -44,9 +45,14 @@ struct PairScatter {
     std::vector<double> cos_incidence;              ///< (point) where the currents are
     std::vector<std::vector<double>> event_cosine;  ///< (event, point): before, then after
     std::vector<std::vector<double>> weight;        ///< (weight, point), dimensionless
-    std::vector<double> phase_rad{};  ///< (point) added to -k path; empty where there is none
+    std::vector<std::complex<double>> factor{};     ///< (point); empty: 1 everywhere
+    double centre_rad_m = 0.0;                      ///< wave number that `factor` holds at
 
-    double phase_at(std::size_t point) const { return phase_rad.empty() ? 0.0 : phase_rad[point]; }
+    /// factor exp(-j(k - centre) path)
+    std::complex<double> wave(std::size_t point, double wavenumber_rad_m) const {
+        const auto turned = std::polar(1.0, (centre_rad_m - wavenumber_rad_m) * path_m[point]);
+        return factor.empty() ? turned : factor[point] * turned;
+    }
 };
 
 struct RouteScatter {

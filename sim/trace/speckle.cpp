@@ -129,17 +129,16 @@ std::optional<RouteScatter> drawn_thin_cells(ThinPlate& plate, const RoughLayer&
     RouteScatter route = empty_route(layer, antennas.rx.size());
     const ThinPoints points(surface, cell_axis(n_u, thin.u), cell_axis(n_v, thin.v));
     for (std::size_t rx = 0; rx < antennas.rx.size(); ++rx) {
-        const auto sums = points.weights({antennas.tx.position_m, antennas.rx[rx].position_m},
-                                         plate.detail().centre_rad_m, amplitudes);
+        const PhaseCentres centres{antennas.tx.position_m, antennas.rx[rx].position_m};
+        route.rx[rx].centre_rad_m = plate.detail().centre_rad_m;
+        route.rx[rx].factor = points.weights(centres, plate.detail().centre_rad_m, amplitudes);
         for (std::size_t i = 0; i < lit.size(); ++i) {
             const NodeView& view = seen[rx][i];
             const double cosine = cosine_between(lit[i], view);
             const double cell_m2 = lit[i].stretch_m2 * 4.0 / (n_u * n_v);
             append(lit[i], view,
-                   {.sum = sums[i],
-                    .spread = std::sqrt(cell_m2) / (lit[i].r1_m * view.r2_m * cosine * cosine),
-                    .cos_incidence = cosine,
-                    .centre_rad_m = plate.detail().centre_rad_m},
+                   {.spread = std::sqrt(cell_m2) / (lit[i].r1_m * view.r2_m * cosine * cosine),
+                    .cos_incidence = cosine},
                    route.rx[rx]);
         }
         // The unreflected part scatters forwards only.
@@ -172,16 +171,12 @@ RouteScatter diffuse_cells(const Target& target, const AntennaSet& antennas,
 
 void draw_speckle(RouteScatter& cells, Stream& piece) {
     const std::size_t n = cells.rx.empty() ? 0 : cells.rx.front().path_m.size();
-    std::vector<double> amplitude(n), phase_rad(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        amplitude[i] = std::sqrt(-std::log(piece.uniform()));  // Rayleigh, mean square 1
-        phase_rad[i] = two_pi * piece.uniform();
+    std::vector<std::complex<double>> amplitudes(n);
+    for (std::complex<double>& amplitude : amplitudes) {
+        const double size = std::sqrt(-std::log(piece.uniform()));  // Rayleigh, mean square 1
+        amplitude = std::polar(size, two_pi * piece.uniform());
     }
-    for (PairScatter& pair : cells.rx) {
-        for (std::vector<double>& weight : pair.weight)
-            for (std::size_t i = 0; i < n; ++i) weight[i] *= amplitude[i];
-        pair.phase_rad = phase_rad;
-    }
+    for (PairScatter& pair : cells.rx) pair.factor = amplitudes;
 }
 
 }  // namespace specula

@@ -17,7 +17,7 @@ LitNode NodeLighter::operator()(const SurfacePoint& at) const {
                  .at_back = false};
     node.at_back = node.arriving.dot(node.normal) > 0.0;
     if (node.at_back) node.normal = -node.normal;
-    node.tx_field = tx_.rotation * pattern_(tx_.rotation.transpose() * node.arriving);
+    node.tx_field = pattern_(node.arriving);
     return node;
 }
 
@@ -25,12 +25,11 @@ NodeView NodeViewer::operator()(const LitNode& node) const {
     const Vector3 to_rx = rx_.position_m - node.point_m;
     NodeView view{.r2_m = to_rx.norm(), .to_rx = {}, .weights = {}};
     view.to_rx = to_rx / view.r2_m;
-    view.weights = bounce_weights(
-        {.to_point = node.arriving,
-         .to_rx = view.to_rx,
-         .normal = node.normal,
-         .tx_field = node.tx_field,
-         .rx_field = rx_.rotation * pattern_(rx_.rotation.transpose() * -view.to_rx)});
+    view.weights = bounce_weights({.to_point = node.arriving,
+                                   .to_rx = view.to_rx,
+                                   .normal = node.normal,
+                                   .tx_field = node.tx_field,
+                                   .rx_field = pattern_(-view.to_rx)});
     return view;
 }
 
@@ -51,15 +50,12 @@ ThinNodes thin_nodes(const Surface& surface, const Patch& patch, const PointCoun
     return nodes;
 }
 
-void append(const LitNode& node, const NodeView& view, const NodeSum& sum, PairScatter& pair) {
-    const double path_m = node.r1_m + view.r2_m;
-    const double spread = std::sqrt(std::norm(sum.sum)) * sum.spread;
-    pair.path_m.push_back(path_m);
-    pair.phase_rad.push_back(std::arg(sum.sum) + sum.centre_rad_m * path_m);
-    pair.cos_incidence.push_back(std::min(1.0, sum.cos_incidence));
-    pair.weight[0].push_back(view.weights.incident * spread);
-    pair.weight[1].push_back(view.weights.te * spread);
-    pair.weight[2].push_back(view.weights.tm * spread);
+void append(const LitNode& node, const NodeView& view, const NodeShare& share, PairScatter& pair) {
+    pair.path_m.push_back(node.r1_m + view.r2_m);
+    pair.cos_incidence.push_back(std::min(1.0, share.cos_incidence));
+    pair.weight[0].push_back(view.weights.incident * share.spread);
+    pair.weight[1].push_back(view.weights.te * share.spread);
+    pair.weight[2].push_back(view.weights.tm * share.spread);
 }
 
 }  // namespace specula

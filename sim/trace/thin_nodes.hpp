@@ -22,7 +22,7 @@ struct LitNode {
 /// TX and what its pattern needs, for many points.
 class NodeLighter {
   public:
-    explicit NodeLighter(const PlacedAntenna& tx) : tx_(tx), pattern_(tx.pattern) {}
+    explicit NodeLighter(const PlacedAntenna& tx) : tx_(tx), pattern_(tx.pattern, tx.rotation) {}
     LitNode operator()(const SurfacePoint& at) const;
 
   private:
@@ -40,7 +40,7 @@ struct NodeView {
 /// An RX and what its pattern needs, for many nodes.
 class NodeViewer {
   public:
-    explicit NodeViewer(const PlacedAntenna& rx) : rx_(rx), pattern_(rx.pattern) {}
+    explicit NodeViewer(const PlacedAntenna& rx) : rx_(rx), pattern_(rx.pattern, rx.rotation) {}
     NodeView operator()(const LitNode& node) const;
 
   private:
@@ -56,14 +56,12 @@ struct ThinNodes {
 ThinNodes thin_nodes(const Surface& surface, const Patch& patch, const PointCount& thin,
                      const AntennaSet& antennas);
 
-/// Appends a node to a pair: complex `sum` of the dense points' waves, `spread` what else the
-/// weights are multiplied with. The node's own phase at the band's centre is taken out again.
-struct NodeSum {
-    std::complex<double> sum;
+/// What the weights of a node are multiplied with, and where its coefficients are asked for.
+struct NodeShare {
     double spread;
     double cos_incidence;
-    double centre_rad_m;
 };
-void append(const LitNode& node, const NodeView& view, const NodeSum& sum, PairScatter& pair);
+/// Appends a node to a pair, but for its factor.
+void append(const LitNode& node, const NodeView& view, const NodeShare& share, PairScatter& pair);
 
 }  // namespace specula

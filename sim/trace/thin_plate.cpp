@@ -136,17 +136,18 @@ void ThinPlate::add_points(const Patch& patch, const ThinCounts& counts, const T
     const ThinPoints points = ThinPoints::of_patch(*plate_, patch, counts);
     route.route.from_behind = nodes.lit.front().at_back && !is_opaque_;
     for (std::size_t rx = 0; rx < rx_m_.size(); ++rx) {
+        PairScatter& pair = route.rx[rx];
         const auto sums =
             points.weights({antennas_->tx.position_m, rx_m_[rx]}, detail_.centre_rad_m);
+        pair.centre_rad_m = detail_.centre_rad_m;
+        pair.factor.insert(pair.factor.end(), sums.begin(), sums.end());
         for (std::size_t i = 0; i < nodes.lit.size(); ++i) {
             const LitNode& node = nodes.lit[i];
             const NodeView& view = nodes.seen[rx][i];
             append(node, view,
-                   {.sum = sums[i],
-                    .spread = node.stretch_m2 / (node.r1_m * view.r2_m),
-                    .cos_incidence = -node.arriving.dot(node.normal),
-                    .centre_rad_m = detail_.centre_rad_m},
-                   route.rx[rx]);
+                   {.spread = node.stretch_m2 / (node.r1_m * view.r2_m),
+                    .cos_incidence = -node.arriving.dot(node.normal)},
+                   pair);
         }
     }
 }

@@ -9,8 +9,8 @@ namespace specula {
 
 /// A plate by itself that all antennas see one whole side of, by antennas whose patterns are smooth
 /// over it, and over a band: few points do in place of many. The phase at the middle of the band is
-/// summed into complex weights, which stand in the points' `weight` and `phase_rad`; good over the
-/// band of the settings only.
+/// summed into complex weights, which stand in the points' `factor`; good over the band of the
+/// settings only.
 /// @eq PHYSICS.md#thinned-quadrature
 class ThinPlate {
   public:

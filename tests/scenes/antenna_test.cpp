@@ -99,6 +99,18 @@ TEST_CASE("the field pattern is transverse, along y as far as it can, and square
     CHECK(field_pattern(Pattern(IsotropicPattern{}), {0.0, 1.0, 0.0}) == Vector3::Zero());
 }
 
+TEST_CASE("the field pattern for many directions is that for one, turned", "[antenna]") {
+    const Rotation rotation(Eigen::AngleAxisd(0.4, Vector3(1.0, -2.0, 0.5).normalized()));
+    for (const Pattern& pattern : {Pattern(PatchPattern{}), Pattern(IsotropicPattern{2.0})}) {
+        const FieldPattern fields(pattern, rotation);
+        for (const double azimuth_rad : {-1.2, 0.0, 0.7, 2.0}) {
+            const Vector3 own = towards(azimuth_rad, 0.3);
+            const Vector3 expected = rotation * field_pattern(pattern, own);
+            CHECK((fields(rotation * own) - expected).norm() < 1e-14);
+        }
+    }
+}
+
 TEST_CASE("an antenna section is read by its pattern", "[antenna]") {
     const auto read = [](const std::string& text) {
         Section section = Section::parse(text, "x.toml");
