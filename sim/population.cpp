@@ -29,9 +29,9 @@ void refuse_folded(const Distribution& law, const Fail& fail) {
 
 void refuse_folded_laws(const Section& section, const SampleLaw& law) {
     using Checked = std::pair<const char*, Distribution>;
-    for (const Checked& each : {Checked("thickness", law.thickness_m),
-                                Checked("roughness", law.roughness_m),
-                                Checked("correlation_length", law.correlation_m)})
+    for (const Checked& each :
+         {Checked("thickness", law.thickness_m), Checked("roughness", law.roughness_m),
+          Checked("correlation_length", law.correlation_m)})
         refuse_folded(each.second, [&](const std::string& problem, const std::string& remedy) {
             section.fail_quantity(each.first, Unit::length, problem, remedy);
         });
@@ -42,19 +42,9 @@ void refuse_folded_laws(const Section& section, const SampleLaw& law) {
         });
 }
 
-/// A name goes into tables, lists and file names of reports.
-void refuse_control_characters(const Section& section, const std::string& name) {
-    constexpr unsigned char first_printed = ' ', rub_out = 0x7f;
-    for (const unsigned char c : name)
-        if (c < first_printed || c == rub_out)
-            section.fail("name", "holds a line break or another control character",
-                         "use letters, digits and spaces");
-}
-
 SampleLaw read_class(Section section, const Sample& common, const Catalogue& catalogue) {
     SampleLaw law;
     law.name = section.text("name");
-    refuse_control_characters(section, law.name);
     law.nominal = common;
     law.nominal.material = catalogue.material_name(section, "material");
     law.thickness_m = section.distribution("thickness", Unit::length, Range::inside(0.0, 1.0));

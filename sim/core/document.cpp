@@ -25,6 +25,16 @@ void refuse_long_lines(const std::string& text, const std::string& name) {
     }
 }
 
+/// Texts of files are names, which go into tables, lists, messages and names of files.
+bool is_one_line(const std::string& text) {
+    constexpr unsigned char first_printed = ' ', rub_out = 0x7f;
+    return std::ranges::none_of(text,
+                                [](unsigned char c) { return c < first_printed || c == rub_out; });
+}
+
+constexpr const char* not_one_line = "holds a line break or another control character";
+constexpr const char* make_one_line = "write one line of text";
+
 }  // namespace
 
 bool Range::holds(double value) const {
@@ -72,6 +82,7 @@ std::string Section::text(const std::string& key) {
     const auto* value = node.as_string();
     if (!value) table_->fail(key, &node, "is not text", "put it in quotes");
     if (value->get().empty()) table_->fail(key, &node, "is empty", "give a word");
+    if (!is_one_line(value->get())) table_->fail(key, &node, not_one_line, make_one_line);
     return value->get();
 }
 
@@ -171,6 +182,7 @@ std::vector<std::string> Section::texts(const std::string& key) {
         if (!item.is_string())
             table_->fail(key, &node, "holds something that is not text", "put it in quotes");
         values.push_back(item.as_string()->get());
+        if (!is_one_line(values.back())) table_->fail(key, &node, not_one_line, make_one_line);
     }
     return values;
 }

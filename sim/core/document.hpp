@@ -45,6 +45,7 @@ class Section {
     /// The root table of a text; `name` stands for the file in messages.
     static Section parse(const std::string& text, const std::string& name);
 
+    /// One line: control characters are an error, in lists of texts and choices too.
     std::string text(const std::string& key);
     std::string text(const std::string& key, const std::string& fallback);
     std::string choice(const std::string& key, const std::vector<std::string>& options);

@@ -40,6 +40,16 @@ TEST_CASE("values come back as they were written", "[document]") {
     CHECK(section.source() == every_type);
 }
 
+TEST_CASE("a text is one line, in a list and as a choice too", "[document]") {
+    Section section =
+        section_of("text = \"bo\\nard\"\nlist = [\"a\", \"\\u001b[31m\"]\nbell = \"\\u007f\"");
+    const std::string problem =
+        ": holds a line break or another control character; write one line of text";
+    CHECK(message_of([&] { return section.text("text"); }).ends_with(problem));
+    CHECK(message_of([&] { return section.texts("list"); }).ends_with(problem));
+    CHECK(message_of([&] { return section.choice("bell", {"a"}); }).ends_with(problem));
+}
+
 TEST_CASE("a fallback stands in for a missing key only", "[document]") {
     Section section = section_of("text = ''\nwhole = 1.5\nreal = 'x'\ntruth = 1\nlaw = 'x'");
     CHECK(section.text("none", "fallback") == "fallback");
@@ -195,9 +205,11 @@ TEST_CASE("keys and values that are not ASCII are quoted back whole", "[document
 
 TEST_CASE("whatever a key or value holds, a message is one line of readable length", "[document]") {
     CHECK(message_of([] { return section_of("a = '''x\ny'''").choice("a", {"b"}); }) ==
-          "x.toml:1: a = \"x\\ny\": is not known; use \"b\"");
+          "x.toml:1: a = \"x\\ny\": holds a line break or another control character; "
+          "write one line of text");
     CHECK(message_of([] { return section_of("a = \"x\\ny\\u001b[2J\"").choice("a", {"b"}); }) ==
-          "x.toml:1: a = \"x\\ny\\x1b[2J\": is not known; use \"b\"");
+          "x.toml:1: a = \"x\\ny\\x1b[2J\": holds a line break or another control character; "
+          "write one line of text");
     CHECK(message_of([] {
               section_of("\"a\\nb\" = 1").finish();
               return 0;

@@ -3,13 +3,13 @@
 #
 #   fuzz_test.sh BUILD_FOLDER
 #
-# SPECULA_FUZZ_SECONDS  time per target, default 10; 60 and more find what hides deeper
+# SPECULA_FUZZ_SECONDS  time per target, default 5; 60 and more find what hides deeper
 # SPECULA_FUZZ_JOBS     targets at a time, default 2
 # Ends with 77 (skipped) where there is no clang with libFuzzer (Debian: clang, libclang-rt-dev).
 
 here=$(cd -- "$(dirname -- "$0")" && pwd)
 build=${1:?usage: fuzz_test.sh BUILD_FOLDER}
-seconds=${SPECULA_FUZZ_SECONDS:-10}
+seconds=${SPECULA_FUZZ_SECONDS:-5}
 jobs=${SPECULA_FUZZ_JOBS:-2}
 
 mkdir -p "$build" || exit 1

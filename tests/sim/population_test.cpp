@@ -131,11 +131,6 @@ TEST_CASE("a law that lies below zero by more than 2 % is refused with its share
                    "class.loss_factor = {...}: would be below zero in 5 %"));
 }
 
-TEST_CASE("a class name with a line break is refused", "[sim]") {
-    CHECK(contains(population_refusal(replaced(two_classes, "\"board\"", "\"bo\\nard\"")),
-                   "holds a line break or another control character"));
-}
-
 TEST_CASE("placements and frames without laws are all alike", "[sim]") {
     const Population population = population_in(two_classes);
     CHECK(population.session.height_m.spread() == 0.0);

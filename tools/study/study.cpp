@@ -139,7 +139,7 @@ StudySummary run_study(const StudyRequest& request, const Catalogue& catalogue) 
     warn_of_weak_echoes(recordings, used, run, summary.warnings);
     for (const Recording& recording : recordings)
         summary.fingerprints.emplace_back(recording.file.filename().string(),
-                                          recording.fingerprint);
+                                          "fingerprint " + recording.fingerprint);
     summary.results.calibration = frozen.outcome();
     summary.fingerprints.emplace_back("calibration.json", "sha256 " + frozen.outcome().sha256);
     Baseline baseline = train_baseline(context, recordings.front());

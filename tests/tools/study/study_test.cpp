@@ -102,7 +102,7 @@ TEST_CASE("what a study writes is what it recorded, trained and judged", "[study
             CHECK(dataset.origin.experiment == toy_experiment);
             CHECK(dataset.origin.condition == name);
             CHECK(dataset.origin.radar == "iwrl6432boost");
-            CHECK(results["fingerprints"][name + ".h5"] == fingerprint(dataset));
+            CHECK(results["fingerprints"][name + ".h5"] == "fingerprint " + fingerprint(dataset));
         }
         const std::string frozen = results["calibration"]["frozen_file_sha256"];
         CHECK(results["fingerprints"]["calibration.json"] == "sha256 " + frozen);
