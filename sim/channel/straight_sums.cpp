@@ -35,8 +35,8 @@ StraightSums::StraightSums(const RouteScatter& scatter, const FrequencyComb& com
     is_empty_ = path.high == 0.0;
     const double half_band_rad_m =
         0.5 * (wavenumber_rad_m(comb.last_hz()) - wavenumber_rad_m(comb.first_hz));
-    const auto n_nodes = Kernels::padded(
-        static_cast<std::size_t>(points_for_phase(half_band_rad_m * 0.5 * (path.high - path.low))));
+    const int n_needed = points_for_phase(half_band_rad_m * 0.5 * (path.high - path.low));
+    const std::size_t n_nodes = Kernels::padded(2 * static_cast<std::size_t>(n_needed)) / 2;
     grid_ = {{comb.first_hz, comb.last_hz(), static_cast<int>(n_nodes)},
              {cosine.low, cosine.high, 0},
              0.5 * (path.low + path.high)};

@@ -10,6 +10,12 @@
 
 namespace specula {
 
+namespace {
+
+constexpr double error_of_phase = 1e-9;
+
+}  // namespace
+
 double ChebyshevGrid::node(int i) const {
     return 0.5 * (low + high) + 0.5 * (high - low) * std::cos(pi * (i + 0.5) / n);
 }
@@ -19,7 +25,13 @@ double ChebyshevGrid::unit(double x) const {
 }
 
 int points_for_phase(double a_rad) {
-    return static_cast<int>(std::ceil(a_rad + 6.0 * std::cbrt(a_rad))) + 9;
+    // Interpolation through n points errs by 4 J_n(a) at most, and little more where J_n falls
+    // fast; J_n(a) < (a/2)^n / n!, or, for large a, by Airy's function (quadrature.cpp).
+    const int enough = static_cast<int>(std::ceil(a_rad + 6.0 * std::cbrt(a_rad))) + 9;
+    int n = 1;
+    for (double bound = 2.0 * a_rad; bound > error_of_phase && n < enough; ++n)
+        bound *= 0.5 * a_rad / (n + 1);
+    return n;
 }
 
 std::vector<double> ChebyshevGrid::nodes() const {

@@ -160,6 +160,14 @@ inline void add_block(const Kernels::Shape& shape, const double* rows, const dou
         std::memcpy(sums + r * shape.n_columns, &kept[r], sizeof kept[r]);
 }
 
+/// As many rows as are left over, fewer than n_most + 1.
+template <std::size_t n_most>
+inline void add_rest(std::size_t n_left, const Kernels::Shape& shape, const double* rows,
+                     const double* columns, double* sums) {
+    if (n_left == n_most) return add_block<n_most>(shape, rows, columns, sums);
+    if constexpr (n_most > 1) add_rest<n_most - 1>(n_left, shape, rows, columns, sums);
+}
+
 void add_products(const Kernels::Shape& shape, const double* rows, const double* columns,
                   double* sums) {
     constexpr std::size_t at_once = 8;
@@ -167,8 +175,8 @@ void add_products(const Kernels::Shape& shape, const double* rows, const double*
         std::size_t r = 0;
         for (; r + at_once <= shape.n_rows; r += at_once)
             add_block<at_once>(shape, rows + r, columns + c, sums + r * shape.n_columns + c);
-        for (; r < shape.n_rows; ++r)
-            add_block<1>(shape, rows + r, columns + c, sums + r * shape.n_columns + c);
+        add_rest<at_once - 1>(shape.n_rows - r, shape, rows + r, columns + c,
+                              sums + r * shape.n_columns + c);
     }
 }
 
