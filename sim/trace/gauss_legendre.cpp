@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <mutex>
 
 #include "sim/core/constants.hpp"
 #include "sim/core/expect.hpp"
@@ -35,13 +36,15 @@ GaussRule make_rule(int n) {
 }  // namespace
 
 const GaussRule& gauss_legendre(int n) {
-    static const auto rules = [] {
-        std::array<GaussRule, largest_gauss_rule + 1> made;
-        for (int i = 1; i <= largest_gauss_rule; ++i) made[i] = make_rule(i);
-        return made;
-    }();
     SPECULA_EXPECT(n >= 1 && n <= largest_gauss_rule);
-    return rules[n];
+    struct Made {
+        std::once_flag once;
+        GaussRule rule;
+    };
+    static std::array<Made, largest_gauss_rule + 1> made;
+    Made& of_n = made[static_cast<std::size_t>(n)];
+    std::call_once(of_n.once, [&] { of_n.rule = make_rule(n); });
+    return of_n.rule;
 }
 
 }  // namespace specula
