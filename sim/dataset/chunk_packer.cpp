@@ -69,4 +69,37 @@ void ChunkPacker::add(std::span<const std::int16_t> codes, PackedFrames& to) {
     to.ends.push_back(to.bytes.size());
 }
 
+struct ChunkUnpacker::Decompressor {
+    libdeflate_decompressor* library = libdeflate_alloc_decompressor();
+    Decompressor() {
+        if (!library) throw std::bad_alloc();
+    }
+    ~Decompressor() { libdeflate_free_decompressor(library); }
+};
+
+ChunkUnpacker::ChunkUnpacker() : decompressor_(std::make_unique<Decompressor>()) {}
+ChunkUnpacker::~ChunkUnpacker() = default;
+
+bool ChunkUnpacker::unpack(std::span<const std::uint8_t> chunk, std::span<std::int16_t> codes) {
+    constexpr std::size_t checksum_size = 4;
+    if (chunk.size() < checksum_size) return false;
+    const auto packed = chunk.first(chunk.size() - checksum_size);
+    std::uint32_t stored = 0;
+    for (std::size_t i = 0; i < checksum_size; ++i)
+        stored |= static_cast<std::uint32_t>(chunk[packed.size() + i]) << (8 * i);
+    if (stored != fletcher32(packed)) return false;
+    const std::size_t n = codes.size();
+    shuffled_.resize(2 * n);
+    std::size_t n_out = 0;
+    if (libdeflate_zlib_decompress(decompressor_->library, packed.data(), packed.size(),
+                                   shuffled_.data(), shuffled_.size(),
+                                   &n_out) != LIBDEFLATE_SUCCESS ||
+        n_out != shuffled_.size())
+        return false;
+    for (std::size_t i = 0; i < n; ++i)
+        codes[i] = static_cast<std::int16_t>(
+            static_cast<std::uint16_t>(shuffled_[i] | shuffled_[n + i] << 8));
+    return true;
+}
+
 }  // namespace specula

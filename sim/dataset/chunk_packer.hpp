@@ -20,7 +20,7 @@ struct PackedFrames {
 };
 
 /// Makes of codes the chunk that HDF5's filters shuffle, deflate and fletcher32 would, outside of
-/// that library's one lock and five times as fast; the one door to libdeflate.
+/// that library's one lock and five times as fast; with ChunkUnpacker the one door to libdeflate.
 ///
 /// One per thread. The same codes give the same bytes with the same version of libdeflate.
 class ChunkPacker {
@@ -35,6 +35,25 @@ class ChunkPacker {
   private:
     struct Compressor;  ///< hides the library
     std::unique_ptr<Compressor> compressor_;
+    std::vector<std::uint8_t> shuffled_;
+};
+
+/// The way back, as much faster than HDF5's as that.
+class ChunkUnpacker {
+  public:
+    ChunkUnpacker();
+    ~ChunkUnpacker();
+    ChunkUnpacker(const ChunkUnpacker&) = delete;
+    ChunkUnpacker& operator=(const ChunkUnpacker&) = delete;
+
+    /// @out  codes  of one chunk, all of them
+    /// False, with `codes` undefined, where the checksum does not fit or other codes come out: let
+    /// HDF5 say what is wrong.
+    bool unpack(std::span<const std::uint8_t> chunk, std::span<std::int16_t> codes);
+
+  private:
+    struct Decompressor;  ///< hides the library
+    std::unique_ptr<Decompressor> decompressor_;
     std::vector<std::uint8_t> shuffled_;
 };
 

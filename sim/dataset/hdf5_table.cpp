@@ -2,8 +2,10 @@
 
 #include <functional>
 #include <numeric>
+#include <type_traits>
 
 #include "sim/core/expect.hpp"
+#include "sim/dataset/chunk_packer.hpp"
 #include "sim/dataset/hdf5_number.hpp"
 
 namespace specula {
@@ -119,6 +121,8 @@ std::vector<T> Hdf5Table::read_rows(std::size_t first, std::size_t n_rows) const
     if (first + n_rows > shape_.size[0]) hdf5_read_failed(file_, name_, "has too few rows");
     std::vector<T> values(n_rows * shape_.values_per_row());
     if (values.empty()) return values;
+    if constexpr (std::is_same_v<T, std::int16_t>)
+        if (unpack_rows(first, values)) return values;
     const RowSelection rows(handle_, shape_.size, first, n_rows);
     if (H5Dread(handle_, memory_type(type_of), rows.in_memory, rows.in_file, H5P_DEFAULT,
                 values.data()) < 0)
@@ -126,17 +130,53 @@ std::vector<T> Hdf5Table::read_rows(std::size_t first, std::size_t n_rows) const
     return values;
 }
 
-void Hdf5Table::read_chunk(std::size_t row, std::vector<std::uint8_t>& bytes) const {
+bool Hdf5Table::is_packed_by_row() const {
+    constexpr H5Z_filter_t filters[] = {H5Z_FILTER_SHUFFLE, H5Z_FILTER_DEFLATE,
+                                        H5Z_FILTER_FLETCHER32};
+    const Hdf5Handle creation(H5Dget_create_plist(handle_), H5Pclose);
+    if (H5Pget_layout(creation) != H5D_CHUNKED) return false;
+    std::vector<hsize_t> chunk(shape_.size.begin(), shape_.size.end()), found(chunk.size());
+    chunk[0] = 1;
+    H5Pget_chunk(creation, static_cast<int>(found.size()), found.data());
+    if (found != chunk || H5Pget_nfilters(creation) != std::ssize(filters)) return false;
+    for (unsigned i = 0; i < std::size(filters); ++i) {
+        unsigned flags = 0;
+        std::size_t n_values = 0;
+        if (H5Pget_filter2(creation, i, &flags, &n_values, nullptr, 0, nullptr, nullptr) !=
+            filters[i])
+            return false;
+    }
+    return true;
+}
+
+bool Hdf5Table::unpack_rows(std::size_t first, std::span<std::int16_t> values) const {
+    if (!is_packed_by_row()) return false;
+    const std::size_t per_row = shape_.values_per_row();
+    ChunkUnpacker unpacker;
+    std::vector<std::uint8_t> chunk;
+    for (std::size_t row = 0; row * per_row < values.size(); ++row) {
+        chunk.clear();
+        if (!append_chunk(first + row, chunk) ||
+            !unpacker.unpack(chunk, values.subspan(row * per_row, per_row)))
+            return false;
+    }
+    return true;
+}
+
+bool Hdf5Table::append_chunk(std::size_t row, std::vector<std::uint8_t>& bytes) const {
     const auto offset = chunk_offset(shape_.size, row);
     hsize_t n = 0;
     std::uint32_t skipped_filters = 0;
     const std::size_t begin = bytes.size();
-    const bool there = H5Dget_chunk_storage_size(handle_, offset.data(), &n) >= 0 && n > 0;
-    if (there) bytes.resize(begin + n);
-    if (!there ||
-        H5Dread_chunk(handle_, H5P_DEFAULT, offset.data(), &skipped_filters, bytes.data() + begin) <
-            0 ||
-        skipped_filters != 0)
+    if (H5Dget_chunk_storage_size(handle_, offset.data(), &n) < 0 || n == 0) return false;
+    bytes.resize(begin + n);
+    return H5Dread_chunk(handle_, H5P_DEFAULT, offset.data(), &skipped_filters,
+                         bytes.data() + begin) >= 0 &&
+           skipped_filters == 0;
+}
+
+void Hdf5Table::read_chunk(std::size_t row, std::vector<std::uint8_t>& bytes) const {
+    if (!append_chunk(row, bytes))
         hdf5_read_failed(file_, name_, "has a chunk that cannot be read");
 }
 

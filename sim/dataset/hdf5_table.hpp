@@ -49,6 +49,11 @@ class Hdf5Table {
           handle_(handle),
           shape_(std::move(shape)) {}
     void check_claim(double bytes_per_value) const;
+    /// Chunks of one row each that went through the filters of new tables?
+    bool is_packed_by_row() const;
+    /// False where HDF5 has to read, or to say what is wrong.
+    bool unpack_rows(std::size_t first, std::span<std::int16_t> values) const;
+    bool append_chunk(std::size_t row, std::vector<std::uint8_t>& bytes) const;
 
     std::filesystem::path file_;
     std::string name_;
