@@ -85,7 +85,7 @@ std::string blind_reason(const Radar& radar, double height_m) {
         return format("is beyond the farthest range of the chirp of {}, {:.3g} m", radar.name,
                       radar.chirp.max_range_m());
     if (radar.chirp.bin_of(height_m) < 3.0)
-        return format("is bin {:.2f} of the chirp of {}, among the leakage of bins 0 to 2",
+        return format("is bin {:.2f} of the chirp of {}, among bins 0 to 2, where boards leak",
                       radar.chirp.bin_of(height_m), radar.name);
     return "";
 }

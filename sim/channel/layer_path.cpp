@@ -26,18 +26,24 @@ std::vector<double> faces_of(const Stack& stack) {
     return faces;
 }
 
+/// What absorption leaves of a wave that goes down and up again.
+double twice_through(const Layer& layer, double wavenumber_rad_m) {
+    return std::exp(2.0 * wavenumber_rad_m * layer.thickness_m *
+                    longitudinal_wavenumber(layer.medium, 0.0).imag());
+}
+
 double path_without_grain(const Stack& stack) {
     const std::vector<double> faces = faces_of(stack);
     const double k = two_pi * stack.frequency_hz / speed_of_light_m_s;
-    double longest_m = 0.0;
-    // Waves turn between any two faces.
-    for (std::size_t first = 0; first < stack.layers.size(); ++first) {
+    double longest_m = 0.0, entered = 1.0;
+    // Waves turn between any two faces that they come down to.
+    for (std::size_t first = 0; first < stack.layers.size() && entered >= left; ++first) {
         double path_m = 0.0, kept = 1.0;
         for (std::size_t last = first; last < stack.layers.size(); ++last) {
             const Layer& layer = stack.layers[last];
             const Complex q = longitudinal_wavenumber(layer.medium, 0.0);
             path_m += 2.0 * layer.thickness_m / std::abs(q);
-            kept *= std::exp(2.0 * k * layer.thickness_m * q.imag());
+            kept *= twice_through(layer, k);
             const double per_turn = faces[first] * faces[last + 1] * kept;
             // The first pass lacks the upper face's reflection: what enters comes out at once.
             if (kept * faces[last + 1] < left) continue;
@@ -45,6 +51,7 @@ double path_without_grain(const Stack& stack) {
                 per_turn < 1.0 ? std::ceil(std::log(left) / std::log(per_turn)) : most_turns;
             longest_m = std::max(longest_m, path_m * std::clamp(turns, 1.0, most_turns));
         }
+        entered *= twice_through(stack.layers[first], k);
     }
     return longest_m;
 }

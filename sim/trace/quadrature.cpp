@@ -13,6 +13,8 @@ namespace {
 
 /// Over a patch this small against its distance the rate of phase changes evenly: few looks do.
 constexpr double small_angle = 0.05;
+/// Nobody has use for more thin points per axis: they are many themselves by then.
+constexpr int most_thin_points = 4096;
 /// Part of the accuracy asked for that the points of a patch may use up.
 constexpr double share_of_points = 0.03;
 /// The same for a single point per axis, whose error is known and not estimated.
@@ -153,7 +155,7 @@ double share_of(double accuracy_db) {
 int thin_points_for(const Phase& phase, double smooth, double error) {
     const int for_phase =
         std::max(order_beyond(phase.a_rad, error), 2 * order_beyond(0.5 * phase.q_rad, error));
-    return for_phase + static_cast<int>(std::ceil(smooth));
+    return std::min(most_thin_points, for_phase + static_cast<int>(std::ceil(smooth)));
 }
 
 /// What a patch asks for of points_needed.

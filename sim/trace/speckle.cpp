@@ -26,8 +26,11 @@ struct Cell {
     double area_m2;
 };
 
+/// A rotation rounds a size that is a multiple of the side to either side of it; the piece must not
+/// have other cells for that.
 int n_along(const Vector3& half, double side_m) {
-    return std::max(1, static_cast<int>(2.0 * half.norm() / side_m));
+    constexpr double rounding = 1e-9;
+    return std::max(1, static_cast<int>(2.0 * half.norm() / side_m * (1.0 + rounding)));
 }
 
 double area_m2(const Surface& surface) {

@@ -135,11 +135,10 @@ TEST_CASE("a height that the radar cannot see is refused, and the advice then wo
               advice);
     CHECK(geometry_error("height_cm = 500\n").rfind("x.toml:7: geometry.height_cm = 500: ", 0) ==
           0);
-    CHECK(
-        geometry_error("height_mm = 117\n") ==
-        "x.toml:7: geometry.height_mm = 117: is bin 3.00 of the chirp of iwrl6432boost, among the "
-        "leakage of bins 0 to 2" +
-            advice);
+    CHECK(geometry_error("height_mm = 117\n") ==
+          "x.toml:7: geometry.height_mm = 117: is bin 3.00 of the chirp of iwrl6432boost, among "
+          "bins 0 to 2, where boards leak" +
+              advice);
     CHECK(geometry_error("height_mm = 118\n") == "(no error)");
     CHECK(geometry_error("height_mm = 2248\n") == "(no error)");
     CHECK(blind_reason(scene_in(least).radar, 0.45).empty());

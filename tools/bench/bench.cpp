@@ -28,9 +28,17 @@ bool is_wanted(const BenchPlan& plan, const std::string& part) {
 }  // namespace
 
 double BenchGrowth::exponent() const {
-    if (points.size() < 2) return 0.0;
-    return std::log(points.back().seconds / points.front().seconds) /
-           std::log(points.back().size / points.front().size);
+    const auto n = static_cast<double>(points.size());
+    double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
+    for (const Point& point : points) {
+        const double log_size = std::log(point.size), log_s = std::log(point.seconds);
+        x += log_size;
+        y += log_s;
+        xx += log_size * log_size;
+        xy += log_size * log_s;
+    }
+    const double spread = n * xx - x * x;
+    return spread > 0.0 ? (n * xy - x * y) / spread : 0.0;
 }
 
 const BenchRate* BenchReport::find(const std::string& part, const std::string& name) const {
@@ -53,7 +61,8 @@ std::vector<std::string> bench_parts() {
 }
 
 std::size_t bench_steps(const BenchPlan& plan) {
-    return plan.parts.empty() ? all_parts.size() : plan.parts.size();
+    return static_cast<std::size_t>(std::ranges::count_if(
+        all_parts, [&](const auto& part) { return is_wanted(plan, part.first); }));
 }
 
 BenchReport run_bench(const BenchPlan& plan, const Catalogue& catalogue,

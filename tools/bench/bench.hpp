@@ -34,11 +34,10 @@ struct BenchGrowth {
     std::string axis;  ///< what was made larger
     struct Point {
         double size;
-        double seconds;           ///< CPU time of one call
-        double memory_bytes = 0;  ///< peak of the process by then; 0: not looked at
+        double seconds;  ///< CPU time of one call
     };
     std::vector<Point> points;
-    /// Of the power law through first and last point: 1 is linear, less is better.
+    /// Of the power law nearest to all points, by their logarithms: 1 is linear, less is better.
     double exponent() const;
 };
 

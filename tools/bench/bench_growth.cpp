@@ -19,7 +19,7 @@ BenchGrowth grown(const BenchPlan& plan, BenchGrowth growth, double first, const
         const double size = std::round(first * std::pow(10.0, 0.5 * step));
         const std::function<void()> work = at_size(size);
         const double seconds = seconds_per_call(0.3 * plan.budget_s, work);
-        growth.points.push_back({size, seconds, peak_memory_bytes()});
+        growth.points.push_back({size, seconds});
     }
     return growth;
 }

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "sim/core/version.hpp"
@@ -9,6 +10,10 @@ namespace specula {
 namespace {
 
 using Ordered = nlohmann::ordered_json;
+
+std::int64_t whole(double count) {
+    return static_cast<std::int64_t>(std::llround(count));
+}
 
 Ordered rate_json(const BenchRate& rate) {
     Ordered json{{"part", rate.part},
@@ -29,9 +34,7 @@ Ordered rate_json(const BenchRate& rate) {
 Ordered growth_json(const BenchGrowth& growth) {
     Ordered points = Ordered::array();
     for (const BenchGrowth::Point& point : growth.points)
-        points.push_back({{"size", point.size},
-                          {"cpu_s", point.seconds},
-                          {"peak_memory_bytes", point.memory_bytes}});
+        points.push_back({{"size", point.size}, {"cpu_s", point.seconds}});
     return {{"axis", growth.axis}, {"exponent", growth.exponent()}, {"points", points}};
 }
 
@@ -42,18 +45,18 @@ std::string bench_json(const BenchReport& report, const BenchPlan& plan) {
                  {"format_version", 1},
                  {"software_version", program_version},
                  {"seconds_per_rate", plan.budget_s},
-                 {"peak_memory_bytes", peak_memory_bytes()},
+                 {"peak_memory_bytes", whole(peak_memory_bytes())},
                  {"generated", Ordered::array()},
                  {"stages", Ordered::array()},
                  {"rates", Ordered::array()},
                  {"growth", Ordered::array()},
                  {"threads", Ordered::array()}};
     for (const BenchGenerated& made : report.generated)
-        json["generated"].push_back({{"frames", made.frames},
+        json["generated"].push_back({{"frames", whole(made.frames)},
                                      {"threads", made.threads},
                                      {"frames_per_wall_second", made.frames_per_s},
                                      {"bytes_per_wall_second", made.bytes_per_s},
-                                     {"peak_memory_bytes", made.peak_memory_bytes}});
+                                     {"peak_memory_bytes", whole(made.peak_memory_bytes)}});
     for (const BenchStage& stage : report.stages)
         json["stages"].push_back({{"name", stage.name},
                                   {"cpu_us", stage.microseconds},

@@ -41,7 +41,8 @@ std::string stages_text(const BenchReport& report) {
 
 std::string growth_text(const BenchReport& report) {
     std::string text;
-    if (!report.growth.empty()) text += "\ngrowth: CPU time of a frame (of a session)\n";
+    if (!report.growth.empty())
+        text += "\ngrowth: CPU time of a frame, or of a session of frames\n";
     for (const BenchGrowth& growth : report.growth) {
         text += format("  {:<26} time ~ size^{:.2f}:", growth.axis, growth.exponent());
         for (const BenchGrowth::Point& point : growth.points)

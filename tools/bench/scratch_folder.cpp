@@ -11,8 +11,15 @@ namespace specula {
 namespace fs = std::filesystem;
 
 ScratchFolder::ScratchFolder() {
-    std::string name = (fs::temp_directory_path() / "specula-bench-XXXXXX").string();
-    if (!::mkdtemp(name.data())) throw SystemError(name + ": cannot create the folder");
+    std::error_code none;
+    const fs::path parent = fs::temp_directory_path(none);
+    const char* asked = std::getenv("TMPDIR");
+    if (none)
+        throw SystemError((asked ? std::string(asked) : parent.string()) +
+                          ": is no folder for temporary files; set TMPDIR to one");
+    std::string name = (parent / "specula-bench-XXXXXX").string();
+    if (!::mkdtemp(name.data()))
+        throw SystemError(name + ": cannot create the folder; set TMPDIR to one with room");
     path_ = name;
 }
 

@@ -20,6 +20,17 @@ void add_threads(CLI::App* command, int& threads) {
         ->capture_default_str();
 }
 
+CLI::Validator number_within(double low, double high) {
+    return CLI::Validator(
+        [=](std::string& text) {
+            double value = 0.0;
+            if (CLI::detail::lexical_cast(text, value) && value >= low && value <= high)
+                return std::string();
+            return format("Value {} not in range [{:g} - {:g}]", text, low, high);
+        },
+        "");
+}
+
 std::string seed_problem(const std::string& text) {
     std::uint64_t seed = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
@@ -33,13 +44,13 @@ void add_bench(CLI::App& program, BenchArguments& arguments) {
         "specula bench stages channel --seconds 1\n"
         "  WHAT: generate, stages, trace, channel, receiver, frames, storage, learning, growth,\n"
         "  threads.\n"
-        "  Rates are per second of CPU time of one core; all of them take about a minute.");
+        "  Rates are per second of CPU time of one core; all of them take half a minute.");
     command->add_option("WHAT", arguments.parts, "parts to measure; default all");
     command->add_option("--seconds", arguments.seconds, "s of CPU time per rate, 0.001 to 60")
-        ->check(CLI::Range(0.001, 60.0).description(""))
+        ->check(number_within(0.001, 60.0))
         ->capture_default_str();
     command->add_option("--decades", arguments.decades, "of size in growth, 0.5 to 3")
-        ->check(CLI::Range(0.5, 3.0).description(""))
+        ->check(number_within(0.5, 3.0))
         ->capture_default_str();
     command->add_flag("--json", arguments.json, "print JSON instead of tables");
     command->add_option("--figure", arguments.figure, "draw stages and growth as SVG, PNG and CSV")
@@ -81,8 +92,10 @@ CLI::App* export_group(CLI::App& program) {
 
 /// What `specula import` makes of an exported file, behind "reads it back".
 const char* what_comes_back(const std::string& format_name) {
-    if (format_name == "csv") return ": classes, groups and features, which for codes are range bins";
-    if (format_name == "uart") return ": range profiles and answers; labels stand in plate.out.toml";
+    if (format_name == "csv")
+        return ": classes, groups and features, which for codes are range bins";
+    if (format_name == "uart")
+        return ": range profiles and answers; labels stand in plate.out.toml";
     return ", bit by bit; labels stand in plate.out.toml";
 }
 
@@ -98,9 +111,10 @@ void add_export_recording(CLI::App& program, ExportRecordingArguments& arguments
              {"npy", "Codes, or features where there are none, as NumPy's array"},
              {"csv", "Features and labels as a table"}}) {
         CLI::App* command = group->add_subcommand(name, what);
-        command->footer(format("Example:\n  specula export {0} plate.h5 -o plate.out\n"
-                               "  specula import {0} plate.out reads it back{1}.",
-                               name, what_comes_back(name)));
+        command->footer(
+            format("Example:\n  specula export {0} plate.h5 -o plate.out\n"
+                   "  specula import {0} plate.out reads it back{1}.",
+                   name, what_comes_back(name)));
         command->callback([&arguments, name = name] { arguments.what = name; });
         command->add_option("DATASET", arguments.input, "dataset (.h5)")->required();
         command->add_option("-o,--out", arguments.out, "file or (infineon) folder to write")

@@ -10,6 +10,9 @@ namespace specula {
 /// A sub-command with an example under its help.
 CLI::App* add_command(CLI::App& program, const char* name, const char* what, const char* example);
 
+/// CLI::Range takes what is no number, too.
+CLI::Validator number_within(double low, double high);
+
 /// What is wrong with a seed; empty: nothing. Reads all of 64 bits; CLI11 would take -1 for
 /// 2^64 - 1.
 std::string seed_problem(const std::string& text);

@@ -22,12 +22,12 @@ void add_diff(CLI::App& program, DiffArguments& arguments) {
     command
         ->add_option("--lsb", arguments.options.tolerance_lsb,
                      "let ADC codes be apart by so much, in LSB; 1 between kinds of processors")
-        ->check(CLI::Range(0.0, 65535.0).description(""))
+        ->check(number_within(0.0, 65535.0))
         ->type_name("LSB");
     command
         ->add_option("--relative", arguments.options.relative,
                      "let floating-point values be apart by this share of the larger")
-        ->check(CLI::Range(0.0, 1.0).description(""))
+        ->check(number_within(0.0, 1.0))
         ->type_name("SHARE");
 }
 

@@ -99,6 +99,22 @@ TEST_CASE("plates that hide themselves, tables and company are traced point by p
     CHECK_FALSE(is_thin(backwards.target(), backwards.antennas(), narrow));
 }
 
+TEST_CASE("a way in layers of any length asks for no more thin points than can be counted",
+          "[trace][thin]") {
+    const PlateScene scene = plate_scene(0.17, 0.0);
+    const Target target = scene.target();
+    const AntennaSet antennas = scene.antennas();
+    TraceSettings long_way = narrow;
+    for (const double path_m : {1.0, 30.0, 600.0, 1e4, 1e7}) {
+        long_way.layer_path_m = path_m;
+        std::optional<ThinPlate> plate = ThinPlate::of(target, antennas, long_way);
+        REQUIRE(plate.has_value());
+        CHECK(plate->counts().thin.u <= 4096);
+        CHECK(plate->counts().thin.v <= 4096);
+        if (path_m > 1.0) CHECK_FALSE(plate->echo());
+    }
+}
+
 TEST_CASE("a weight of few points is the sum over many of phase times a polynomial",
           "[trace][thin]") {
     const PlateScene scene = plate_scene(0.1, 1e-3);

@@ -45,8 +45,8 @@ const std::vector<SceneMistake> scene_mistakes{
      "geometry.height_m = 5: is beyond the farthest range of the chirp of iwrl6432boost, 2.25 m; "
      "choose a height of 118 to 2248 mm, or another radar"},
     {"height_mm  = 450", "height_cm = 5", "height_cm",
-     "geometry.height_cm = 5: is bin 1.28 of the chirp of iwrl6432boost, among the leakage of bins "
-     "0 to 2; choose a height of 118 to 2248 mm, or another radar"},
+     "geometry.height_cm = 5: is bin 1.28 of the chirp of iwrl6432boost, among bins 0 to 2, "
+     "where boards leak; choose a height of 118 to 2248 mm, or another radar"},
     {"height_mm  = 450", "height_mm = 450\nheight_cm = 45", "height_cm",
      "geometry.height_cm = 45: is given twice, as geometry.height_mm too; keep one of them"},
     {"tilted     = \"sample\"", "tilted = \"sensor\"", "pivot_mm",

@@ -57,7 +57,7 @@ const std::vector<StudyMistake> study_mistakes{
      "extra = {...}: is not a key of this file; remove it"},
     {"nominal_height_mm = 450", "nominal_height_m = 5",
      "is beyond the farthest range of the chirp of iwrl6432boost, 2.25 m"},
-    {"height_mm = [550]", "height_mm = [50]", "among the leakage of bins 0 to 2"},
+    {"height_mm = [550]", "height_mm = [50]", "among bins 0 to 2"},
     {"[\"wood\", \"iron\"]", "[\"wood\", \"gold\"]",
      "\"gold\" is no class of this experiment; use \"wood\" or \"iron\""},
     {"[\"wood\", \"iron\"]", "[\"wood\", \"wood\"]",
