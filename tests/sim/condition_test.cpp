@@ -87,7 +87,7 @@ TEST_CASE("a condition's keys arrive where they belong", "[sim]") {
 TEST_CASE("what the radar cannot see or nobody can do is refused by line", "[sim]") {
     CHECK(contains(condition_refusal("sessions = 4\nheight_mm = [450, 50]\n"),
                    "c.toml:5: height_mm"));
-    CHECK(contains(condition_refusal("sessions = 4\nheight_mm = [450, 50]\n"), "leakage"));
+    CHECK(contains(condition_refusal("sessions = 4\nheight_mm = [450, 50]\n"), "boards leak"));
     CHECK(
         contains(condition_refusal("sessions = 4\nheight_m = [5]\n"), "beyond the farthest range"));
     CHECK(
