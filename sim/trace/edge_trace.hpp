@@ -1,6 +1,9 @@
 #pragma once
 
-#include "sim/trace/trace.hpp"
+#include "sim/trace/placed_antenna.hpp"
+#include "sim/trace/scatter.hpp"
+#include "sim/trace/target.hpp"
+#include "sim/trace/trace_settings.hpp"
 
 namespace specula {
 

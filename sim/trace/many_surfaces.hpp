@@ -3,7 +3,7 @@
 #include <functional>
 
 #include "sim/trace/route_collector.hpp"
-#include "sim/trace/trace.hpp"
+#include "sim/trace/trace_settings.hpp"
 
 namespace specula {
 

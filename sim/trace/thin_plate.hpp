@@ -2,8 +2,9 @@
 
 #include <optional>
 
+#include "sim/trace/target.hpp"
 #include "sim/trace/thin_nodes.hpp"
-#include "sim/trace/trace.hpp"
+#include "sim/trace/trace_settings.hpp"
 
 namespace specula {
 

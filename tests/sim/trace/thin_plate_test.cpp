@@ -126,10 +126,10 @@ TEST_CASE("a weight of few points is the sum over many of phase times a polynomi
     const auto weights = thin.weights(centres, k_rad_m);
     REQUIRE(weights.size() == 42);
     std::complex<double> few = 0.0;
-    std::size_t i = 0;
+    std::size_t node = 0;
     for (const double v : ChebyshevGrid{-1.0, 1.0, 6}.nodes())
         for (const double u : ChebyshevGrid{-1.0, 1.0, 7}.nodes())
-            few += weights[i++] * smooth(u, v);
+            few += weights[node++] * smooth(u, v);
     std::complex<double> many = 0.0;
     const GaussRule &rule_u = gauss_legendre(60), &rule_v = gauss_legendre(50);
     for (std::size_t i = 0; i < rule_u.nodes.size(); ++i)
