@@ -1,12 +1,11 @@
 #include "sim/core/chebyshev.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <mutex>
 
 #include "sim/core/constants.hpp"
 #include "sim/core/expect.hpp"
+#include "sim/core/made_once.hpp"
 
 namespace specula {
 
@@ -90,14 +89,8 @@ std::vector<double> make_coefficient_matrix(int n) {
 
 const std::vector<double>& coefficient_matrix(int n) {
     SPECULA_EXPECT(n >= 1 && n <= most_coefficients);
-    struct Made {
-        std::once_flag once;
-        std::vector<double> matrix;
-    };
-    static std::array<Made, most_coefficients + 1> made;
-    Made& of_n = made[static_cast<std::size_t>(n)];
-    std::call_once(of_n.once, [&] { of_n.matrix = make_coefficient_matrix(n); });
-    return of_n.matrix;
+    static MadeOnce<std::vector<double>, most_coefficients> matrices;
+    return matrices(n, make_coefficient_matrix);
 }
 
 }  // namespace specula

@@ -1,11 +1,10 @@
 #include "sim/trace/gauss_legendre.hpp"
 
-#include <array>
 #include <cmath>
-#include <mutex>
 
 #include "sim/core/constants.hpp"
 #include "sim/core/expect.hpp"
+#include "sim/core/made_once.hpp"
 
 namespace specula {
 
@@ -37,14 +36,8 @@ GaussRule make_rule(int n) {
 
 const GaussRule& gauss_legendre(int n) {
     SPECULA_EXPECT(n >= 1 && n <= largest_gauss_rule);
-    struct Made {
-        std::once_flag once;
-        GaussRule rule;
-    };
-    static std::array<Made, largest_gauss_rule + 1> made;
-    Made& of_n = made[static_cast<std::size_t>(n)];
-    std::call_once(of_n.once, [&] { of_n.rule = make_rule(n); });
-    return of_n.rule;
+    static MadeOnce<GaussRule, largest_gauss_rule> rules;
+    return rules(n, make_rule);
 }
 
 }  // namespace specula
