@@ -8,6 +8,7 @@
 #include "sim/core/error.hpp"
 #include "sim/core/expect.hpp"
 #include "sim/generate.hpp"
+#include "tools/firmware/asked_descriptor.hpp"
 #include "tools/study/experiment.hpp"
 #include "tools/study/judgement.hpp"
 #include "tools/study/progress.hpp"
@@ -35,13 +36,6 @@ struct Recorded {
     Descriptor descriptor;
 };
 
-Descriptor descriptor_for(const Experiment& experiment, const LatencyRequest& request) {
-    if (!request.descriptor.empty()) return parse_descriptor(request.descriptor);
-    Descriptor descriptor;
-    descriptor.bins = experiment.descriptor;
-    return descriptor;
-}
-
 FeatureTable rows_of_world(const FeatureTable& rows, int world) {
     return select_rows_where(rows, [&](std::size_t i) { return rows.world[i] == world; });
 }
@@ -65,7 +59,7 @@ Dataset first_frame(const Dataset& dataset) {
 Recorded record_for(const Experiment& experiment, const LatencyRequest& request,
                     const Catalogue& catalogue) {
     const Bench bench = bench_of(experiment, catalogue.materials);
-    const Descriptor descriptor = descriptor_for(experiment, request);
+    const Descriptor descriptor = asked_descriptor(request.descriptor, experiment.descriptor);
     Recorded recorded{.one_frame = {},
                       .splits = {},
                       .judged = {{"nominal", {}}},

@@ -11,6 +11,7 @@
 #include "sim/core/format.hpp"
 #include "sim/generate.hpp"
 #include "sim/recording/import_recording.hpp"
+#include "tools/firmware/asked_descriptor.hpp"
 #include "tools/firmware/verification.hpp"
 #include "tools/study/experiment.hpp"
 #include "tools/study/progress.hpp"
@@ -76,17 +77,9 @@ Measurement measurement_of_shape(const Dataset& frames) {
     return measurement;
 }
 
-/// The line that was asked for, or range bins as they are measured.
-Descriptor descriptor_for(const VerifyRequest& request, const Measurement& measurement) {
-    if (!request.descriptor.empty()) return parse_descriptor(request.descriptor);
-    Descriptor descriptor;
-    descriptor.bins = measurement.descriptor;
-    return descriptor;
-}
-
 Model train_on(const VerifyRequest& request, Measurement measurement, VerifyInput& input) {
     const Dataset& frames = input.frames;
-    const Descriptor descriptor = descriptor_for(request, measurement);
+    const Descriptor descriptor = asked_descriptor(request.descriptor, measurement.descriptor);
     measurement.descriptor = descriptor.bins;
     FeatureTable rows = describe(frames, descriptor, 1);
     input.model_is = "trained here on these frames";
@@ -115,7 +108,8 @@ Dataset load_frames(const VerifyRequest& request) {
 
 void check_fit(const VerifyInput& input, const VerifyRequest& request, const Catalogue& catalogue) {
     try {
-        for (const Variant& variant : variants_of(input.model)) model_blob(input.model, variant.arithmetic);
+        for (const Variant& variant : variants_of(input.model))
+            model_blob(input.model, variant.arithmetic);
     } catch (const InputError& error) {
         throw InputError(format("{}: {}", input.model_is, error.what()));
     }
