@@ -22,10 +22,14 @@ void bench_generate(const BenchPlan& plan, const BenchScene& scene, BenchReport&
         recipe.worlds = std::max(
             1, static_cast<int>(std::lround(frames / static_cast<double>(recipe.n_frames()))));
         const ScratchFolder folder;
-        const GenerateReport done = run_generate(
-            recipe,
-            {.out = folder.path() / "frames.h5", .share = {}, .threads = plan.threads, .say = {}},
-            scene.catalogue.materials);
+        const GenerateReport done =
+            run_generate(recipe,
+                         {.out = folder.path() / "frames.h5",
+                          .share = {},
+                          .threads = plan.threads,
+                          .say = {},
+                          .on_stop = "stopped; of a measurement nothing is kept"},
+                         scene.catalogue.materials);
         const auto n = static_cast<double>(done.n_frames);
         report.generated.push_back({.frames = n,
                                     .threads = plan.threads,

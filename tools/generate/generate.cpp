@@ -112,8 +112,8 @@ void warn_of_strays(const GenerateRequest& request, const ShardPlan& plan) {
     const fs::path folder = FinishedOutput(request.out).shards();
     for (const fs::path& file : stray_shards(folder, plan))
         if (request.say)
-            request.say(format("{}: is no part of this run and is passed over; remove it",
-                               file.string()));
+            request.say(
+                format("{}: is no part of this run and is passed over; remove it", file.string()));
 }
 
 /// The finished file: from its shards, which it takes the place of.
@@ -157,8 +157,7 @@ GenerateReport run_generate(const Recipe& recipe, const GenerateRequest& request
         if (is_folder_output(request.out)) warn_of_strays(request, plan_shards(recipe));
         output.remove_leftovers();
     } else {
-        const InterruptionWatch watch(
-            "stopped; what is finished is kept: run the same command again to resume");
+        const InterruptionWatch watch(request.on_stop);
         const NewFolders made(output.shards());
         ShardFolder folder(output.shards(), recipe, request.share);
         output.remove_drafts(request.share);

@@ -9,6 +9,8 @@ struct GenerateRequest {
     Share share{};
     int threads = 1;
     std::function<void(const std::string&)> say;  ///< one line before a long run; empty: silence
+    /// What somebody is told who stops it.
+    std::string on_stop = "stopped; what is finished is kept: run the same command again to resume";
 };
 
 struct GenerateReport {

@@ -4,25 +4,11 @@
 #include "sim/core/error.hpp"
 #include "tools/bench/bench_figures.hpp"
 #include "tools/bench/bench_text.hpp"
-#include "tools/generate/interruption.hpp"
 #include "tools/report/render_figure.hpp"
 #include "tools/specula/commands.hpp"
 #include "tools/study/progress.hpp"
 
 namespace specula {
-
-namespace {
-
-BenchReport measure(const BenchPlan& plan, const Catalogue& catalogue) {
-    Progress progress("Measuring", "parts", bench_steps(plan));
-    try {
-        return run_bench(plan, catalogue, progress.done());
-    } catch (const Interrupted& stop) {  // its text is about datasets
-        throw Interrupted(stop.exit_status() - 128, "stopped; of a measurement nothing is kept");
-    }
-}
-
-}  // namespace
 
 void bench_command(const BenchArguments& arguments, const Catalogue& catalogue) {
     BenchPlan plan{.parts = arguments.parts,
@@ -34,7 +20,11 @@ void bench_command(const BenchArguments& arguments, const Catalogue& catalogue) 
             throw InputError("--figure: these parts have none; measure stages or growth too");
         make_output_folder(arguments.figure);
     }
-    const BenchReport report = measure(plan, catalogue);
+    BenchReport report;
+    {
+        Progress progress("Measuring", "parts", bench_steps(plan));
+        report = run_bench(plan, catalogue, progress.done());
+    }
     const std::string json = bench_json(report, plan);
     std::fputs(arguments.json ? json.c_str() : bench_text(report).c_str(), stdout);
     for (const Figure& figure : bench_figures(report))
