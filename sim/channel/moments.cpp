@@ -61,7 +61,8 @@ class Block {
     /// Waves at the middle of the interval of frequencies.
     void fill_middle(std::size_t first, std::size_t n) {
         const double turns_per_m = pair_.centre_rad_m / two_pi - middle_turns_per_m_;
-        for (std::size_t i = 0; i < n; ++i) turns_[i] = turns_per_m * pair_.path_m[first + i];
+        for (std::size_t i = 0; i < n; ++i)
+            turns_[i] = turns_per_m * (pair_.path_m[first + i] - grid_.reference_path_m);
         kernels().turn(turns_.data(), n, cosine_.data(), sine_.data());
         for (std::size_t i = 0; i < n; ++i) {
             const std::complex<double> wave(cosine_[i], sine_[i]);

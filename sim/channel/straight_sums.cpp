@@ -68,9 +68,10 @@ std::vector<double> StraightSums::on_comb(const Moments& moments) const {
 void StraightSums::make_carrier() {
     const std::size_t n = comb_hz_.size();
     std::vector<double> turns, cosine(n), sine(n);
-    const double middle_hz = 0.5 * (grid_.frequency_hz.low + grid_.frequency_hz.high);
+    const double centre_rad_m = scatter_.rx.front().centre_rad_m;  // all RX have the same
     for (const double frequency_hz : comb_hz_)
-        turns.push_back((middle_hz - frequency_hz) / speed_of_light_m_s * grid_.reference_path_m);
+        turns.push_back((centre_rad_m - wavenumber_rad_m(frequency_hz)) / two_pi *
+                        grid_.reference_path_m);
     kernels().turn(turns.data(), n, cosine.data(), sine.data());
     for (std::size_t i = 0; i < n; ++i)
         carrier_.push_back(surface_factor * Complex(cosine[i], sine[i]));
